@@ -1,0 +1,1 @@
+//! Marking, record, seal, verification, and the only door to the user's folders.

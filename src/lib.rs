@@ -1,0 +1,19 @@
+//! Orb: one photo becomes a georeferenced, marked and sealed simulation asset, offline.
+//!
+//! The way of the data, one direction, no way back:
+//! [`photo`] → [`models`] → [`views`] → [`splat`] → [`mesh`] → [`geo`] → `orb_formats` → [`audit`] → published folder.
+//! [`pipeline`] reads like that line.
+
+pub mod audit;
+pub mod cli;
+pub mod error;
+pub mod geo;
+pub mod mesh;
+pub mod models;
+pub mod photo;
+pub mod pipeline;
+pub mod progress;
+pub mod splat;
+pub mod views;
+
+pub use error::{Error, Kind, Result};

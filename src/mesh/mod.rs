@@ -1,0 +1,1 @@
+//! From rendered depth to a textured mesh in levels of detail.

@@ -1,0 +1,1 @@
+//! Networks: engines, graphs, one file a family.

@@ -1,0 +1,1 @@
+//! Camera rigs and the six views (paper Eq. 2–3).
