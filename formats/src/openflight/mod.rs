@@ -3,8 +3,28 @@
 //! Source: OpenFlight 16.0 record descriptions as published in OGC CDB Volume 6 (OGC 16-009), Annex B. A file is a run
 //! of big-endian records (u16 opcode, u16 length); palettes come first, then the node tree between push and pop
 //! records. Bit 0 of a flag word is its most significant bit.
+//!
+//! [`write()`] makes faces over a vertex palette; [`read`] takes those and meshes; [`check`] looks a file over. What is
+//! written reads back equal but for the vertices' sharing: see [`read`].
 
-use crate::{Mesh, Result};
+mod check;
+mod geometry;
+mod header;
+mod palette;
+mod read;
+mod record;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod write;
+
+pub use check::check;
+pub use read::read;
+pub use write::write;
+
+use crate::Mesh;
+
+const FORMAT: &str = "OpenFlight";
 
 /// One model: a root group (the CDB global zone) with sibling levels of detail.
 ///
@@ -47,9 +67,4 @@ pub struct Level {
     /// Index into [`Model::textures`].
     pub texture: Option<usize>,
     pub mesh: Mesh,
-}
-
-/// Writes a model.
-pub fn write(_model: &Model) -> Result<Vec<u8>> {
-    Err(crate::Error::Unsupported { format: "OpenFlight", what: "writing is not built yet".into() })
 }
