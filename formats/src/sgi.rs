@@ -288,3 +288,6 @@ fn malformed<T>(offset: usize, expected: String, found: String) -> Result<T> {
 fn refuse<T>(what: String) -> Result<T> {
     Err(Error::Unsupported { format: FORMAT, what })
 }
+
+#[cfg(test)]
+mod tests;
