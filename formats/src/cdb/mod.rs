@@ -1,7 +1,7 @@
 //! OGC CDB 1.x data stores: placing a geospecific model (GSModel), and checking a store.
 //!
-//! [`add_model`] turns a model and a store into the files that are new or change.
-//! Written is CDB 1.0 with Shapefile, SGI, OpenFlight and stored zips, which readers of every version
+//! [`add_model`] turns a model and a store into the files that are new or change; [`check`] reads a store and says what
+//! breaks the standard. Written is CDB 1.0 with Shapefile, SGI, OpenFlight and stored zips, which readers of every version
 //! from 3.x to 1.3 take.
 //!
 //! The marking stands inside every file that has room for text: `Version.xml` (Comment), the other XML files (a comment),
@@ -11,6 +11,7 @@
 mod add;
 mod archive;
 mod attributes;
+mod check;
 pub mod dbf;
 mod descriptor;
 mod entries;
@@ -23,9 +24,12 @@ mod model;
 pub mod names;
 pub mod shapefile;
 mod store;
+#[cfg(test)]
+mod tests;
 mod texture;
 mod xml;
 
 pub use add::{Added, add_model};
+pub use check::{Finding, check};
 pub use model::{GsModel, Level};
 pub use store::{Empty, ListableStore, Memory, Store};
