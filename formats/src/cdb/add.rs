@@ -186,14 +186,18 @@ impl FeatureChain {
         let mut contents: BTreeMap<i8, FeatureTile> = BTreeMap::new();
         let mut coarser: Option<FeatureTile> = None;
         for (&lod, &tile) in &tiles {
-            let written = if there[&lod] { lod >= coarsest } else { lod <= finest };
             let next_inherits = lod < finest && !there[&(lod + 1)];
-            let content = match (there[&lod], &coarser) {
-                (true, _) if written || next_inherits => FeatureTile::read(store, tile, model.dbf_date)?,
-                (true, _) => None,
-                (false, Some(parent)) if written => Some(parent.inherited(store, tiles[&(lod - 1)], tile)?),
-                (false, _) if written => Some(FeatureTile::new(model.dbf_date)),
-                (false, _) => None,
+            let read = match there[&lod] && (lod >= coarsest || next_inherits) {
+                true => FeatureTile::read(store, tile, model.dbf_date)?,
+                false => None,
+            };
+            // A file of no bytes counts as none, so a tile may be absent although its file is there.
+            let absent = read.is_none() && lod <= finest && (!there[&lod] || lod >= coarsest || next_inherits);
+            let written = absent || (read.is_some() && lod >= coarsest);
+            let content = match (read, &coarser) {
+                (None, Some(parent)) if absent => Some(parent.inherited(store, tiles[&(lod - 1)], tile)?),
+                (None, None) if absent => Some(FeatureTile::new(model.dbf_date)),
+                (read, _) => read,
             };
             if let (true, Some(content)) = (written, &content) {
                 contents.insert(lod, content.clone());
@@ -227,13 +231,17 @@ impl FeatureChain {
                 (true, n) => names::with_suffix(plain, &format!("{code}_{n}")),
             };
             let class = names::class_name(&model.facc, model.fsc, &name);
-            let entries = Entries::build(model, prepared, archives, &name)?;
-            let taken = archives.collide(&entries) || self.contents.values().any(|c| c.uses(&name, &class));
-            if !taken {
-                return Ok((name, entries, false));
+            let taken = self.contents.values().any(|c| c.uses(&name, &class));
+            let here = self.stands_here(model, prepared, &name);
+            if taken && !here {
+                continue;
             }
-            if self.stands_here(model, prepared, &name) && archives.hold(&entries) {
+            let entries = Entries::build(model, prepared, archives, &name)?;
+            if here && archives.hold(&entries) {
                 return Ok((name, entries, true));
+            }
+            if !taken && !archives.collide(&entries) {
+                return Ok((name, entries, false));
             }
         }
         Err(Error::Unsupported {

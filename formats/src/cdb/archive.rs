@@ -62,8 +62,8 @@ impl Archive {
     }
 
     /// The archive comment.
-    pub fn comment(&self) -> String {
-        self.zip.as_ref().map_or_else(String::new, |z| String::from_utf8_lossy(z.comment()).into_owned())
+    pub fn comment(&self) -> &[u8] {
+        self.zip.as_ref().map_or(&[], |z| z.comment())
     }
 
     /// An entry's bytes; `None` when it is not there, compressed, or its checksum is wrong.
@@ -117,7 +117,7 @@ impl Archive {
                 (None, None) => {}
             }
         }
-        writer.set_comment(joined(&self.comment(), marking)).map_err(fail)?;
+        writer.set_raw_comment(joined(self.comment(), marking.as_bytes()).into()).map_err(fail)?;
         let bytes = writer.finish().map_err(fail)?.into_inner();
         if bytes.len() > MAX_BYTES {
             return Err(too_large(name, bytes.len()));
@@ -138,11 +138,12 @@ pub fn too_large(name: &str, bytes: usize) -> Error {
 }
 
 /// A comment with one more line, unless it has it already; without it when the zip format has no more room.
-fn joined(comment: &str, line: &str) -> String {
-    if line.is_empty() || comment.lines().any(|l| l == line) || comment.len() + line.len() + 1 > 65_535 {
+fn joined(comment: &[u8], line: &[u8]) -> Vec<u8> {
+    let there = comment.split(|&b| b == b'\n').any(|l| l.trim_ascii_end() == line);
+    if line.is_empty() || there || comment.len() + line.len() + 1 > 65_535 {
         return comment.into();
     }
-    if comment.is_empty() { line.into() } else { format!("{comment}\n{line}") }
+    if comment.is_empty() { line.into() } else { [comment, line].join(&b'\n') }
 }
 
 fn unreadable(name: &str, reason: &dyn std::fmt::Display) -> Error {
@@ -170,7 +171,7 @@ mod tests {
         assert_eq!(back.names().collect::<Vec<_>>(), ["a.flt", "b.flt"]);
         assert_eq!(back.get("b.flt").as_deref(), Some(&b"second"[..]));
         assert!(back.is_stored("a.flt") && back.contains("A.FLT") && !back.contains("c.flt"));
-        assert_eq!(back.comment(), "CUI");
+        assert_eq!(back.comment(), b"CUI");
     }
 
     #[test]
@@ -186,7 +187,7 @@ mod tests {
         let first = Archive::default().with(&[entry("a", b"1")], "UNCLASSIFIED", "x").unwrap();
         let second = Archive::read(first, "x").unwrap().with(&[entry("b", b"2")], "SECRET", "x").unwrap();
         let third = Archive::read(second, "x").unwrap().with(&[entry("c", b"3")], "SECRET", "x").unwrap();
-        assert_eq!(Archive::read(third, "x").unwrap().comment(), "UNCLASSIFIED\nSECRET");
+        assert_eq!(Archive::read(third, "x").unwrap().comment(), b"UNCLASSIFIED\nSECRET");
     }
 
     #[test]

@@ -44,8 +44,12 @@ impl Column {
     }
 
     pub fn name(&self) -> String {
+        String::from_utf8_lossy(self.name_bytes()).into_owned()
+    }
+
+    fn name_bytes(&self) -> &[u8] {
         let end = self.raw[..11].iter().position(|&b| b == 0).unwrap_or(11);
-        String::from_utf8_lossy(&self.raw[..end]).trim_end().to_string()
+        self.raw[..end].trim_ascii_end()
     }
 
     /// `C`, `N`, `L`, …
@@ -190,8 +194,8 @@ impl Table {
 
     /// The index of a column. CDB names are case-sensitive, but tools exist that write them in capitals.
     pub fn column(&self, name: &str) -> Option<usize> {
-        let exact = self.columns.iter().position(|c| c.name() == name);
-        exact.or_else(|| self.columns.iter().position(|c| c.name().eq_ignore_ascii_case(name)))
+        let exact = self.columns.iter().position(|c| c.name_bytes() == name.as_bytes());
+        exact.or_else(|| self.columns.iter().position(|c| c.name_bytes().eq_ignore_ascii_case(name.as_bytes())))
     }
 
     /// The trimmed text of a value; `None` without such a column or record, or when it is blank.

@@ -11,7 +11,7 @@ use super::descriptor::{self, TextureEntry};
 use super::geocell::Tile;
 use super::lod;
 use super::material;
-use super::model::{GsModel, Prepared, PreparedLevel};
+use super::model::{GsModel, Prepared};
 use super::names::{self, Dataset, GS_MODEL_DESCRIPTOR, GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE};
 use super::store::{self, Store};
 use super::xml;
@@ -21,8 +21,8 @@ use crate::{Error, Result, openflight, sgi};
 pub const SELECTOR: (u16, u16) = (1, 1);
 /// Volume 7's advice for one geometry file.
 const GEOMETRY_ADVICE: usize = 4_000_000;
-/// Larger side of the texture beside the coarsest geometry; it doubles with every finer level. A coarse tile holds many
-/// models in one archive, so what it shows from afar must be small.
+/// Larger side of the texture beside the coarsest geometry; it doubles with every finer level, and the finest has its
+/// whole texture. A coarse tile holds many models in one archive, so what it shows from afar must be small.
 const COARSEST_SIDE: u32 = 128;
 /// The smallest side that a texture beside its geometry is cut to when the archive is nearly full.
 const SMALLEST_SIDE: u32 = 32;
@@ -126,7 +126,7 @@ impl Entries {
             }
         }
         for (i, level) in prepared.levels.iter().enumerate() {
-            let side = entries.push_tile_texture(model, level, archives, name, i)?;
+            let side = entries.push_tile_texture(model, prepared, archives, name, i)?;
             entries.push_geometry(model, prepared, name, i)?;
             let (image, resolution) = level.texture.within(side);
             let power = super::texture::log2(image);
@@ -155,17 +155,19 @@ impl Entries {
     fn push_tile_texture(
         &mut self,
         model: &GsModel,
-        level: &PreparedLevel,
+        prepared: &Prepared,
         archives: &Archives,
         name: &str,
         i: usize,
     ) -> Result<u32> {
+        let level = &prepared.levels[i];
         let place = (GS_MODEL_TEXTURE.code, level.tile);
         let file = texture_entry_name(level.tile, &names::tile_texture_name(name, i));
         let there = self.map.get(&place).into_iter().flatten().map(|(n, b)| Archive::cost(n, b)).sum::<usize>();
         // The end record and a longer comment.
         let used = archives.length(&place) + there + 22 + model.marking.len() + 1;
-        let wanted = COARSEST_SIDE << i;
+        let finest = level.placed.lod == prepared.finest();
+        let wanted = if finest { super::texture::side(&level.texture.mips[0]) } else { COARSEST_SIDE << i };
         let mut side = wanted;
         loop {
             let (image, _) = level.texture.within(side);

@@ -2,6 +2,8 @@
 //!
 //! Source: OGC CDB 1.x Volume 1, "Tiled vector datasets" (Requirements 64, 107).
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::attributes::{ATTRIBUTES, Attribute};
 use super::dbf::{Table, Value};
 use super::geocell::Tile;
@@ -22,6 +24,8 @@ pub struct FeatureTile {
     /// One record a point.
     pub instances: Table,
     pub classes: Table,
+    /// The record of each class.
+    class_records: BTreeMap<String, usize>,
     /// Files beside the tables that a new tile needs as its parent has them: extended attributes, memos.
     companions: Vec<((u16, u16), &'static str, Vec<u8>)>,
 }
@@ -33,7 +37,7 @@ impl FeatureTile {
             Table::new(ATTRIBUTES.iter().filter(|a| wanted(a)).map(Attribute::column).collect(), date)
         };
         let (instances, classes) = (table(|a| a.instance), table(|a| a.class));
-        FeatureTile { points: Vec::new(), instances, classes, companions: Vec::new() }
+        FeatureTile { points: Vec::new(), instances, classes, class_records: BTreeMap::new(), companions: Vec::new() }
     }
 
     /// Reads the features of a tile; `None` when it has no shapefile.
@@ -54,7 +58,8 @@ impl FeatureTile {
         }
         let classes = read_table(store, &names::path(tile, GS_FEATURE, CLASSES, "dbf"))?;
         let classes = classes.unwrap_or_else(|| FeatureTile::new(date).classes);
-        Ok(Some(FeatureTile { points, instances, classes, companions: Vec::new() }))
+        let class_records = index(&classes);
+        Ok(Some(FeatureTile { points, instances, classes, class_records, companions: Vec::new() }))
     }
 
     /// The features that lie in a tile one level finer, as that tile must repeat them when it comes into being.
@@ -68,6 +73,7 @@ impl FeatureTile {
             points: Vec::new(),
             instances: self.instances.emptied(),
             classes: self.classes.emptied(),
+            class_records: BTreeMap::new(),
             companions: self.companions.clone(),
         };
         for (i, point) in self.points.iter().enumerate() {
@@ -76,13 +82,13 @@ impl FeatureTile {
                 out.instances.push_from(&self.instances, i);
             }
         }
+        let used: BTreeSet<_> = (0..out.instances.len()).map(|r| out.instances.text(r, "CNAM")).collect();
         for i in 0..self.classes.len() {
-            let class = self.classes.text(i, "CNAM");
-            let used = (0..out.instances.len()).any(|r| out.instances.text(r, "CNAM") == class);
-            if used && !self.classes.is_deleted(i) {
+            if used.contains(&self.classes.text(i, "CNAM")) && !self.classes.is_deleted(i) {
                 out.classes.push_from(&self.classes, i);
             }
         }
+        out.class_records = index(&out.classes);
         if out.companions.is_empty() && !out.points.is_empty() {
             let mut wanted = vec![(EXTENDED, "dbf"), (EXTENDED, "dbt")];
             wanted.extend(self.instances.has_memo().then_some((POINTS, "dbt")));
@@ -114,6 +120,7 @@ impl FeatureTile {
         fill(&mut self.instances, record, value)?;
         let class = self.classes.push();
         fill(&mut self.classes, class, value)?;
+        self.class_records.extend(self.classes.text(class, "CNAM").map(|name| (name, class)));
         self.instances.set_date(date);
         self.classes.set_date(date);
         Ok(())
@@ -130,8 +137,7 @@ impl FeatureTile {
 
     /// The record of a feature's class.
     pub fn class_of(&self, record: usize) -> Option<usize> {
-        let class = self.instances.text(record, "CNAM")?;
-        (0..self.classes.len()).find(|&c| self.classes.text(c, "CNAM").as_deref() == Some(&class))
+        self.class_records.get(&self.instances.text(record, "CNAM")?).copied()
     }
 
     /// Whether a model name or class name is in use here, whatever the case of its letters.
@@ -166,6 +172,11 @@ impl FeatureTile {
         }
         Ok(files)
     }
+}
+
+/// The first record of each class.
+fn index(classes: &Table) -> BTreeMap<String, usize> {
+    (0..classes.len()).rev().filter_map(|c| Some((classes.text(c, "CNAM")?, c))).collect()
 }
 
 fn read_table(store: &dyn Store, path: &str) -> Result<Option<Table>> {

@@ -178,6 +178,7 @@ pub fn prepare(model: &GsModel) -> Result<Prepared> {
             size.radius
         ));
     }
+    let size = Size::of(model.levels.iter().take(placed.len()).map(|l| &l.mesh));
     let levels = placed.into_iter().zip(&model.levels).map(|(placed, level)| {
         let texture = Texture::new(&level.mesh, &level.texture)?;
         Ok(PreparedLevel { placed, tile: tile(placed.lod)?, texture })

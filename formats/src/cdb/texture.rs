@@ -42,7 +42,7 @@ impl Texture {
 
     /// The first mip whose sides are at most `side`, and its texels a metre.
     pub fn within(&self, side: u32) -> (&Image, f64) {
-        let fits = |m: &Image| m.width.max(m.height) <= side.max(1);
+        let fits = |m: &Image| m.width <= side && m.height <= side;
         let i = self.mips.iter().position(fits).unwrap_or(self.mips.len() - 1);
         (&self.mips[i], six_digits(self.resolution / 2f64.powi(i as i32)))
     }
@@ -59,9 +59,14 @@ fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
+/// An image's larger side.
+pub fn side(image: &Image) -> u32 {
+    image.width.max(image.height)
+}
+
 /// The power of two of an image's larger side.
 pub fn log2(image: &Image) -> u32 {
-    image.width.max(image.height).max(1).ilog2()
+    side(image).max(1).ilog2()
 }
 
 fn check(image: &Image) -> Result<()> {

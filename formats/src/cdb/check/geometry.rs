@@ -34,16 +34,46 @@ pub struct Models {
     pub descriptors: BTreeSet<(Tile, String)>,
 }
 
-/// Names of the texture entries of the store, and which of them some model asked for is not this check's matter.
-type Textures = BTreeSet<String>;
+/// The texture entries of a store.
+#[derive(Default)]
+struct Textures {
+    entries: BTreeSet<String>,
+    /// The tiles of each LOD that hold a TNAM.
+    tiles: BTreeMap<(i8, String), Vec<Tile>>,
+}
+
+impl Textures {
+    fn add(&mut self, entry: String) {
+        if let Some((tile, name)) = texture_name(&entry) {
+            self.tiles.entry((tile.lod, name.into())).or_default().push(tile);
+        }
+        self.entries.insert(entry);
+    }
+
+    fn contains(&self, entry: &str) -> bool {
+        self.entries.contains(entry)
+    }
+
+    /// Whether a mip is there: in the tile of its LOD that holds `tile`, or in a finer one inside it.
+    fn has_mip(&self, tile: Tile, lod: i8, name: &str) -> bool {
+        let related = |other: &Tile| {
+            let (mut finer, coarser) = if other.lod > tile.lod { (*other, tile) } else { (tile, *other) };
+            while let Some(parent) = finer.parent().filter(|_| finer.lod > coarser.lod) {
+                finer = parent;
+            }
+            finer == coarser
+        };
+        self.tiles.get(&(lod, name.to_string())).is_some_and(|tiles| tiles.iter().any(related))
+    }
+}
 
 pub fn check(store: &dyn ListableStore, files: &[(String, TileFile)], findings: &mut Findings) -> Result<Models> {
     let archives = |code: u16| files.iter().filter(move |(_, f)| f.dataset.code == code && f.extension == "zip");
-    let mut textures = Textures::new();
+    let mut textures = Textures::default();
     for (path, file) in archives(GS_MODEL_TEXTURE.code) {
         for (name, bytes) in open(store, path, file, "rgb", findings)? {
             check_image(path, &name, &bytes, findings);
-            textures.insert(name);
+            textures.add(name);
         }
     }
     let mut models = Models::default();
@@ -189,21 +219,22 @@ fn check_flt(
 
 /// The path of a texture from the folder of a geometry archive; `None` when its name says no tile.
 fn expected_texture_path(entry: &str) -> Option<String> {
-    let tile = texture_tile(entry)?;
+    let (tile, _) = texture_name(entry)?;
     let folder = names::folder(tile, GS_MODEL_TEXTURE);
     let from_cell = folder.splitn(4, '/').nth(3)?;
     Some(format!("../../../{from_cell}/{entry}"))
 }
 
-/// The tile that a texture's entry name names.
-fn texture_tile(entry: &str) -> Option<Tile> {
-    // N34W119_D301_S001_T001_L07_U70_R67_Name.rgb
-    let base = entry.match_indices('_').nth(6).map(|(i, _)| &entry[..i])?;
-    let (south, west) = base.split_once('_')?.0.split_at_checked(3)?;
+/// The tile and the TNAM of a texture's entry name: `N34W119_D301_S001_T001_L07_U70_R67_Name.rgb`.
+fn texture_name(entry: &str) -> Option<(Tile, &str)> {
+    let end = entry.match_indices('_').nth(6)?.0;
+    let (base, name) = (&entry[..end], entry[end + 1..].strip_suffix(".rgb")?);
     let fields: Vec<&str> = base.split('_').collect();
+    let (south, west) = fields[0].split_at_checked(3)?;
     let folder = if fields[4].starts_with("LC") { "LC" } else { fields[4] };
-    names::parse(&format!("Tiles/{south}/{west}/{}/{folder}/{}/{base}.zip", GS_MODEL_TEXTURE.name, fields[5]))
-        .map(|f| f.tile)
+    let dataset = GS_MODEL_TEXTURE.name;
+    let file = names::parse(&format!("Tiles/{south}/{west}/{dataset}/{folder}/{}/{base}.zip", fields[5]))?;
+    Some((file.tile, name))
 }
 
 /// The name of the global zone in the comment of the root group (Volume 6, §6.5).
@@ -284,47 +315,14 @@ fn check_descriptor(
         if low == high && textures.contains(&beside) {
             continue;
         }
-        let [south, west, north, east] = file.tile.bounds();
-        let centre = (0.5 * (south + north), 0.5 * (west + east));
-        for (power, lod) in (low..=high).rev().zip(filing(texture.resolution).map(Some).chain(std::iter::repeat(None)))
-        {
-            let expected = lod.map(|lod| mip_names(file.tile, centre, lod, &texture.name, textures));
-            match expected {
-                Some(true) => {}
-                Some(false) => add(
-                    2,
-                    format!(
-                        "texture {}: the mip of {} texels at {} is missing",
-                        texture.name,
-                        1 << power,
-                        names::lod_name(lod.unwrap_or(0))
-                    ),
-                ),
-                None => {
-                    add(2, format!("texture {}: there is no LOD for the mip of {} texels", texture.name, 1 << power))
-                }
+        let lods = filing(texture.resolution).map(Some).chain(std::iter::repeat(None));
+        for (power, lod) in (low..=high).rev().zip(lods) {
+            let mip = format!("texture {}: the mip of {} texels", texture.name, 1 << power);
+            match lod {
+                Some(lod) if textures.has_mip(file.tile, lod, &texture.name) => {}
+                Some(lod) => add(2, format!("{mip} is missing at {}", names::lod_name(lod))),
+                None => add(2, format!("{mip} is coarser than LOD -10")),
             }
         }
     }
-}
-
-/// Whether a mip is there, in the tile of this LOD that holds the geometry's tile or lies in it.
-fn mip_names(tile: Tile, centre: (f64, f64), lod: i8, name: &str, textures: &Textures) -> bool {
-    if lod <= tile.lod {
-        return Tile::containing(centre.0, centre.1, lod)
-            .is_ok_and(|t| textures.contains(&texture_entry_name(t, name)));
-    }
-    // A finer tile: its row and column are not told here, its place in the quadtree is.
-    let middle = format!("_{}_", names::lod_name(lod));
-    let suffix = format!("_{name}.rgb");
-    let inside = |entry: &str| {
-        texture_tile(entry).is_some_and(|mut t| {
-            while t.lod > tile.lod {
-                let Some(parent) = t.parent() else { return false };
-                t = parent;
-            }
-            t == tile
-        })
-    };
-    textures.iter().any(|e| e.contains(&middle) && e.ends_with(&suffix) && inside(e))
 }

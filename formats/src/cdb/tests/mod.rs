@@ -374,3 +374,41 @@ fn only_the_model_s_own_tiles_are_read() {
     store.write(added.files);
     assert_sound(&store);
 }
+
+#[test]
+fn the_finest_level_has_its_whole_texture_beside_it() {
+    let mut model = car("Van", 34.5523, -118.4712);
+    model.levels.iter_mut().for_each(|l| l.texture = texture(1024));
+    for count in 1..=4 {
+        model.levels.truncate(count);
+        let store = store_with(&[model.clone()]);
+        assert_sound(&store);
+        for (i, side) in [128, 256, 512, 1024].into_iter().take(count).enumerate() {
+            let tile = Tile::containing(34.5523, -118.4712, 4 + i as i8).unwrap();
+            let zip = path(tile, GS_MODEL_TEXTURE, (1, 1), "zip");
+            let archive = Archive::read(store.files[&zip].clone(), &zip).unwrap();
+            let name = archive.names().find(|n| n.ends_with("_tile.rgb")).unwrap();
+            let (image, _) = crate::sgi::read(&archive.get(name).unwrap()).unwrap();
+            assert_eq!(image.width, if i + 1 == count { 1024 } else { side }, "level {i} of {count}");
+        }
+        model.levels.resize(4, model.levels[0].clone());
+        let sizes = [4.86, 0.4, 0.1, 0.02];
+        model.levels.iter_mut().zip(sizes).for_each(|(l, s)| l.significant_size = s);
+    }
+}
+
+#[test]
+fn a_deleted_tile_is_written_anew() {
+    // A file of no bytes stands for a deleted one.
+    let (latitude, longitude) = (34.5523, -118.4712);
+    for lod in [-4, 2, 4, 6, 7] {
+        let mut store = store_with(&[car("Van", latitude, longitude)]);
+        let tile = Tile::containing(latitude, longitude, lod).unwrap();
+        store.files.insert(path(tile, names::GS_FEATURE, (1, 1), "shp"), vec![]);
+        add_to(&mut store, &sized("Truck", latitude, longitude, 2.0));
+        // Truck has LOD 3 to 6; what was deleted beyond stays deleted.
+        if (3..=6).contains(&lod) {
+            assert!(features(&store, latitude, longitude, lod).text(0, "MODL").is_some());
+        }
+    }
+}
