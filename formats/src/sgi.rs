@@ -156,8 +156,9 @@ impl Shape {
         Ok(shape)
     }
 
+    /// Pixel bytes; saturates where memory cannot hold them anyway.
     fn pixels(&self) -> usize {
-        self.width * self.height * self.channels
+        (self.width * self.channels).saturating_mul(self.height)
     }
 
     /// Rows of all channels, in file order: channel by channel, bottom to top.
@@ -183,7 +184,7 @@ impl Shape {
 }
 
 fn read_verbatim(bytes: &[u8], shape: &Shape) -> Result<Vec<u8>> {
-    let end = HEADER + shape.pixels();
+    let end = shape.pixels().saturating_add(HEADER);
     let Some(data) = bytes.get(HEADER..end) else {
         return malformed(bytes.len(), format!("pixels up to byte {end}"), "the end of the file".into());
     };
@@ -200,7 +201,7 @@ fn read_coded(bytes: &[u8], shape: &Shape) -> Result<Vec<u8>> {
         return malformed(bytes.len(), format!("row tables up to byte {tables}"), "the end of the file".into());
     }
     // Two coded bytes make at most 127 pixels, but rows may share their bytes: bound what a small file can ask for.
-    let limit = bytes.len() * 64 + (64 << 20);
+    let limit = bytes.len().saturating_mul(64).saturating_add(64 << 20);
     if shape.pixels() > limit {
         return malformed(
             6,

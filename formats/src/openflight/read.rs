@@ -141,7 +141,7 @@ impl<'a> Geometry<'a> {
         for entry in 0..count {
             let at = 4 + entry * 4;
             let offset = record.u32(at)? as usize;
-            let found = self.tree.vertices.binary_search_by_key(&(palette + offset), |v| v.offset);
+            let found = self.tree.vertices.binary_search_by_key(&palette.saturating_add(offset), |v| v.offset);
             polygon.push(found.map_err(|_| {
                 let place = record.offset + at;
                 malformed(place, "the palette offset of a vertex record".into(), offset.to_string())

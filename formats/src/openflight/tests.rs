@@ -393,6 +393,8 @@ fn checks_find_what_is_broken() {
         (4892, &[0x3f, 0x80], "At byte 4860: a normal has length 1.414"),
         (4868, &[0x7f, 0xf0], "At byte 4860: a vertex has a number that is not finite"),
         (4932, &[0xbf], "At byte 5152: the bounding box"),
+        (4852, &[0, 68], "At byte 4860: expected vertex records right after the palette"),
+        (4924, &[0, 67], "At byte 4988: expected vertex records right after the palette"),
         (5052, &[0, 11], "expected a push before this pop"),
         (5184, &[0x3f, 0xe0], "At byte 5152: the bounding box"),
         (5228, &[0; 8], "leave no distance"),
@@ -479,7 +481,7 @@ fn any_model() -> impl Strategy<Value = Model> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
     fn any_model_reads_back_equal(model in any_model()) {

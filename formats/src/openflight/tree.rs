@@ -50,7 +50,7 @@ impl<'a> Tree<'a> {
         // The parents of the open levels; `last` is the node that a push would open.
         let mut open: Vec<Option<usize>> = Vec::new();
         let mut last: Option<usize> = None;
-        let mut previous = 0; // the opcode before
+        let mut in_palette = false; // vertex records must follow the vertex palette without a gap
         for record in records(bytes) {
             let record = match record {
                 Ok(record) => record,
@@ -81,14 +81,18 @@ impl<'a> Tree<'a> {
                         }
                     }
                 },
-                opcode::VERTEX_PALETTE if tree.vertex_palette.is_none() => tree.vertex_palette = Some(record),
+                opcode::VERTEX_PALETTE if tree.vertex_palette.is_none() => {
+                    tree.vertex_palette = Some(record);
+                    in_palette = true;
+                    continue;
+                }
                 opcode::VERTEX_PALETTE => tree.fault(record.offset, "one vertex palette", "another one".into()),
+                opcode::VERTEX_C..=opcode::VERTEX_CUV if in_palette => {
+                    tree.vertices.push(record);
+                    continue;
+                }
                 opcode::VERTEX_C..=opcode::VERTEX_CUV => {
-                    if (opcode::VERTEX_PALETTE..=opcode::VERTEX_CUV).contains(&previous) {
-                        tree.vertices.push(record);
-                    } else {
-                        tree.fault(record.offset, "vertex records right after the palette", "one apart".into());
-                    }
+                    tree.fault(record.offset, "vertex records right after the palette", "one apart".into());
                 }
                 _ if opcode::is_node(code) && !open.is_empty() => {
                     last = Some(tree.nodes.len());
@@ -103,7 +107,7 @@ impl<'a> Tree<'a> {
                     _ => tree.palettes.push(record),
                 },
             }
-            previous = code;
+            in_palette = false;
         }
         if tree.header.is_none() && tree.faults.is_empty() {
             tree.fault(0, "a header record (opcode 1)", "an empty file".into());

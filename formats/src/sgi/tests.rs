@@ -127,7 +127,7 @@ fn any_image() -> impl Strategy<Value = Image> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
     fn what_is_written_reads_back_equal(image in any_image(), name in "[ -~]{0,79}", rle in any::<bool>()) {

@@ -113,7 +113,7 @@ fn palette_corners(
     let mut corners = Vec::new();
     for at in (4..record.bytes.len().saturating_sub(3)).step_by(4) {
         let offset = record.u32(at).ok()? as usize;
-        let Ok(found) = vertices.binary_search_by_key(&(start + offset), |(o, _)| *o) else {
+        let Ok(found) = vertices.binary_search_by_key(&start.saturating_add(offset), |(o, _)| *o) else {
             findings.at(record.offset + at, format!("no vertex record begins at palette offset {offset}"));
             return None;
         };
