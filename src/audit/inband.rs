@@ -7,9 +7,11 @@
 //! | OpenFlight | a Comment record (opcode 31) of the Header, before the first push |
 //! | XML | `CLASSIFICATION: …` in any text, such as the `Comment` of a CDB's Version.xml |
 //! | SGI image | the image name of its header |
+//! | `orb-marking.json` | its `banner` |
 //!
 //! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
 
+use super::canonical::Json;
 use super::marking::{LINE_PREFIX, Marking};
 
 /// The keyword of the PNG chunk.
@@ -40,9 +42,15 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "flt" => (openflight(bytes), true),
         "xml" => (lines_in(bytes), file == "Version.xml"),
         "rgb" | "sgi" => (lines_in(bytes.get(24..104).unwrap_or_default()), false),
+        "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
         _ => return Carried::NoCarrier,
     };
     if found.is_empty() { Carried::Nothing { required } } else { Carried::Banners(found) }
+}
+
+/// True for names whose files are worth reading for a marking.
+pub fn has_carrier(name: &str) -> bool {
+    read(name, &[]) != Carried::NoCarrier
 }
 
 /// Compares a file with the marking that it must carry. `Some` says what is there instead.
@@ -54,6 +62,16 @@ pub fn mismatch(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
         }
         Carried::Nothing { required: true } => Some("no marking inside".into()),
         Carried::Nothing { required: false } | Carried::NoCarrier => None,
+    }
+}
+
+fn sidecar(bytes: &[u8]) -> Vec<String> {
+    match super::canonical::parse(bytes) {
+        Ok(Json::Map(map)) => match map.get("banner") {
+            Some(Json::Text(banner)) => vec![banner.clone()],
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
     }
 }
 

@@ -4,6 +4,7 @@
 //! sealing hashes, signs, appends to the ledger and publishes. [`verify`] checks a published folder offline. What
 //! comes out is evidence for an assessment, never the assessment.
 
+pub mod by_hand;
 pub mod canonical;
 pub mod data_folder;
 mod disk;
@@ -15,10 +16,12 @@ pub mod marking;
 mod pem;
 pub mod publication;
 pub mod record;
+pub mod report;
 pub mod statement;
 pub mod store_merge;
 pub mod time;
 pub mod trust;
+pub mod verify;
 
 pub use data_folder::DataFolder;
 pub use keys::{KeyForRun, SigningKey};

@@ -92,7 +92,7 @@ pub fn seal(
     let id = uuid_v7(draft.time.unix_ms, draft.event_random);
     let fingerprint = key.public().fingerprint().to_owned();
     let chain = place.unwrap_or_else(|| Chain {
-        ledger_id: sha256_hex(format!("orb.ledger/v1\n{id}\n{fingerprint}\n").as_bytes())[..16].to_owned(),
+        ledger_id: ledger_id(&id, &fingerprint),
         seq: 0,
         prev: super::statement::GENESIS.to_owned(),
     });
@@ -153,6 +153,11 @@ pub fn seal(
         signatures: vec![Signature { keyid: fingerprint, sig }],
     };
     Ok(Sealed { statement, envelope, trail_hash })
+}
+
+/// A ledger's name, sixteen hexadecimal digits: made from its first event and the key that signed it.
+pub fn ledger_id(event_id: &str, key_fingerprint: &str) -> String {
+    sha256_hex(format!("orb.ledger/v1\n{event_id}\n{key_fingerprint}\n").as_bytes())[..16].to_owned()
 }
 
 fn not_recordable(fault: &Fault) -> Error {
@@ -244,7 +249,7 @@ pub(crate) mod tests {
         RecordDraft {
             event_type: "scene.generate".into(),
             time: TimeReading {
-                unix_ms: 1_795_224_582_120,
+                unix_ms: 1_763_688_582_120,
                 source: Source::Kernel,
                 sync_status: SyncStatus::Synchronised,
                 offset_us: Some(-310),
@@ -289,7 +294,7 @@ pub(crate) mod tests {
         let text = String::from_utf8(sealed.envelope.payload.clone()).unwrap();
         for part in [
             r#""_type":"https://in-toto.io/Statement/v1""#,
-            r#""utc":"2026-11-21T01:29:42.120Z""#,
+            r#""utc":"2025-11-21T01:29:42.120Z""#,
             r#""sync_status":"synchronised""#,
             r#"{"id":"colmap","status":"not-used"}"#,
             r#""params":{"refined":true,"scale_m":"1.25","seed":7}"#,
