@@ -2,6 +2,13 @@
 
 mod camera;
 mod gaussians;
+mod packed;
+pub mod render;
+mod sh_rotation;
+mod simd;
+pub mod train;
 
 pub use camera::Camera;
-pub use gaussians::Gaussians;
+pub use gaussians::{Gaussians, SH_C0, SH_COEFFICIENTS};
+pub use render::{Frame, render};
+pub use train::{Options, Report, Target, Trained, train};

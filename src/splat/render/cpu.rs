@@ -1,0 +1,129 @@
+//! The CPU renderer: one picture from a set of Gaussians.
+
+use rayon::prelude::*;
+
+use super::binning::{Bins, TILE};
+use super::projection::{SplatGradient, View};
+use super::raster_backward::{Backward, TileLoss};
+use super::raster_forward::{Forward, PIXELS, TileDepth, TilePixels};
+use crate::splat::packed::Packed;
+use crate::splat::simd::dispatch;
+use crate::splat::{Camera, Gaussians};
+
+/// A rendered picture, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    pub width: usize,
+    pub height: usize,
+    /// Composited over the background; not clamped at 1.
+    pub color: Vec<[f32; 3]>,
+    /// 1 − final transmittance.
+    pub alpha: Vec<f32>,
+    /// Σ w·z / Σ w with z the Gaussians' camera-space depth; 0 where alpha < 1/255.
+    pub depth: Vec<f32>,
+    /// z of the Gaussian at which the transmittance passes ½; 0 where it does not.
+    pub median_depth: Vec<f32>,
+}
+
+/// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
+///
+/// α = min(0.99, o·e^−σ), contributions below 1/255 skipped, a pixel finished before its transmittance falls to 1e-4;
+/// low-pass of 0.3 pixel² (Kerbl et al. 2023; constants as in gsplat 1.6).
+pub fn render(g: &Gaussians, camera: &Camera, background: [f32; 3]) -> Frame {
+    let view = View::new(camera);
+    let mut raster = Raster::default();
+    raster.bins.build(&Packed::pack(g), &view, 3);
+    let mut depths = Vec::new();
+    raster.forward(&view, Some(&mut depths));
+    raster.frame(&view, background, &depths)
+}
+
+/// Bins and tiles, kept from picture to picture.
+#[derive(Default)]
+pub(crate) struct Raster {
+    pub bins: Bins,
+    pub tiles: Vec<TilePixels>,
+    gradients: Vec<SplatGradient>,
+}
+
+impl Raster {
+    /// Draws what [`Bins::build`] sorted.
+    pub fn forward(&mut self, view: &View, depths: Option<&mut Vec<TileDepth>>) {
+        debug_assert_eq!(view.width.div_ceil(TILE), self.bins.tiles_x);
+        let bins = &self.bins;
+        let count = bins.tiles_x * bins.tiles_y;
+        self.tiles.resize(count, TilePixels::default());
+        let one = |t: usize, pixels: &mut TilePixels, depth: Option<&mut TileDepth>| {
+            let list = &bins.list[bins.starts[t] as usize..bins.starts[t + 1] as usize];
+            let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
+            dispatch(Forward { splats: &bins.splats, list, x0, y0, pixels, depth });
+        };
+        match depths {
+            None => self.tiles.par_iter_mut().enumerate().for_each(|(t, p)| one(t, p, None)),
+            Some(depths) => {
+                depths.resize(count, TileDepth::default());
+                let pairs = self.tiles.par_iter_mut().zip(depths.par_iter_mut());
+                pairs.enumerate().for_each(|(t, (p, d))| one(t, p, Some(d)));
+            }
+        }
+    }
+
+    /// The gradient of every intersection, from the loss's gradient of every tile.
+    pub fn backward(&mut self, loss: &[TileLoss]) {
+        let bins = &self.bins;
+        self.gradients.resize(bins.list.len(), SplatGradient::default());
+        let mut rest = self.gradients.as_mut_slice();
+        let mut work = Vec::with_capacity(loss.len());
+        for (t, (loss, pixels)) in loss.iter().zip(&self.tiles).enumerate() {
+            let (start, end) = (bins.starts[t] as usize, bins.starts[t + 1] as usize);
+            let (out, later) = rest.split_at_mut(end - start);
+            rest = later;
+            if !out.is_empty() {
+                let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
+                work.push(Backward { splats: &bins.splats, list: &bins.list[start..end], x0, y0, pixels, loss, out });
+            }
+        }
+        work.into_par_iter().for_each(dispatch);
+    }
+
+    /// One Gaussian's gradient: its tiles added in a fixed order. None where no pixel depends on it.
+    #[inline(always)]
+    pub fn gradient_of(&self, gaussian: usize) -> Option<SplatGradient> {
+        let mut sum = [0.0f32; 9];
+        for place in self.bins.places_of(gaussian) {
+            let g = &self.gradients[*place as usize];
+            let terms = [g.g, g.x, g.y, g.xx, g.xy, g.yy, g.color[0], g.color[1], g.color[2]];
+            for (s, t) in sum.iter_mut().zip(terms) {
+                *s += t;
+            }
+        }
+        let [g, x, y, xx, xy, yy, r, gr, b] = sum;
+        (sum != [0.0; 9]).then_some(SplatGradient { g, x, y, xx, xy, yy, color: [r, gr, b] })
+    }
+
+    fn frame(&self, view: &View, background: [f32; 3], depths: &[TileDepth]) -> Frame {
+        let (width, height) = (view.width, view.height);
+        let mut color = vec![[0.0; 3]; width * height];
+        let mut alpha = vec![0.0; width * height];
+        let mut depth = vec![0.0; width * height];
+        let mut median_depth = vec![0.0; width * height];
+        for (t, (pixels, z)) in self.tiles.iter().zip(depths).enumerate() {
+            let (x0, y0) = (t % self.bins.tiles_x * TILE, t / self.bins.tiles_x * TILE);
+            for i in 0..PIXELS {
+                let (x, y) = (x0 + i % TILE, y0 + i / TILE);
+                if x >= width || y >= height {
+                    continue;
+                }
+                let at = y * width + x;
+                let through = pixels.transmittance[i].abs();
+                color[at] = std::array::from_fn(|c| pixels.color[c][i] + through * background[c]);
+                alpha[at] = 1.0 - through;
+                if alpha[at] >= 1.0 / 255.0 {
+                    depth[at] = z.expected[i] / alpha[at];
+                }
+                median_depth[at] = z.median[i];
+            }
+        }
+        Frame { width, height, color, alpha, depth, median_depth }
+    }
+}

@@ -1,0 +1,15 @@
+//! Rendering on the CPU: projection → binning → raster_forward, and raster_backward → projection on the way back.
+
+pub(crate) mod binning;
+mod cpu;
+pub(crate) mod projection;
+pub(crate) mod raster_backward;
+pub(crate) mod raster_forward;
+#[cfg(test)]
+pub(crate) mod reference;
+pub(crate) mod sh;
+#[cfg(test)]
+pub(crate) mod tests;
+
+pub(crate) use cpu::Raster;
+pub use cpu::{Frame, render};

@@ -1,0 +1,153 @@
+//! Front-to-back compositing of one tile, a row of lanes at a time (Kerbl et al. 2023, Eq. 3).
+
+use super::binning::{Splat, TILE};
+use super::projection::{MAX_ALPHA, MIN_ALPHA, MIN_TRANSMITTANCE};
+use crate::splat::simd::{Kernel, Simd};
+
+pub const PIXELS: usize = TILE * TILE;
+/// After this many splats a tile looks whether all its pixels are finished.
+const CHECK: usize = 16;
+
+/// One tile's pixels, row by row.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct TilePixels {
+    /// Transmittance left; negative once the pixel was finished early.
+    pub transmittance: [f32; PIXELS],
+    /// Σ w·rgb, without the background.
+    pub color: [[f32; PIXELS]; 3],
+    /// How much of the tile's list was looked at.
+    pub used: usize,
+}
+
+impl Default for TilePixels {
+    fn default() -> Self {
+        TilePixels { transmittance: [1.0; PIXELS], color: [[0.0; PIXELS]; 3], used: 0 }
+    }
+}
+
+/// Σ w·z and the depth where the transmittance passes ½.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct TileDepth {
+    pub expected: [f32; PIXELS],
+    pub median: [f32; PIXELS],
+}
+
+impl Default for TileDepth {
+    fn default() -> Self {
+        TileDepth { expected: [0.0; PIXELS], median: [0.0; PIXELS] }
+    }
+}
+
+/// log₂ of the faintest alpha that is drawn.
+pub fn threshold() -> f32 {
+    MIN_ALPHA.log2()
+}
+
+/// The rows of the tile, `y0` the top one's pixel index, whose centres lie within `s.half[1]` of the splat.
+#[inline(always)]
+pub fn row_range(s: &Splat, y0: f32) -> (usize, usize) {
+    let first = (s.y - s.half[1] - 0.51 - y0).ceil().max(0.0);
+    let end = (s.y + s.half[1] + 0.51 - y0).floor().min(TILE as f32);
+    (first as usize, end.max(0.0) as usize)
+}
+
+/// Whether the splat reaches the pixels `x0..x0 + width`.
+#[inline(always)]
+pub fn reaches(s: &Splat, x0: f32, width: usize) -> bool {
+    s.x + s.half[0] + 0.01 >= x0 + 0.5 && s.x - s.half[0] - 0.01 <= x0 + width as f32 - 0.5
+}
+
+/// Draws `list` into the tile whose first pixel is (x0, y0).
+pub struct Forward<'a> {
+    pub splats: &'a [Splat],
+    pub list: &'a [u32],
+    pub x0: usize,
+    pub y0: usize,
+    pub pixels: &'a mut TilePixels,
+    pub depth: Option<&'a mut TileDepth>,
+}
+
+impl Kernel for Forward<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        self.pixels.transmittance.fill(1.0);
+        self.pixels.color.iter_mut().for_each(|c| c.fill(0.0));
+        match self.depth {
+            None => {
+                draw::<S, false>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, &mut TileDepth::default())
+            }
+            Some(depth) => {
+                depth.expected.fill(0.0);
+                depth.median.fill(0.0);
+                draw::<S, true>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, depth)
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn draw<S: Simd, const DEPTH: bool>(
+    s: S,
+    splats: &[Splat],
+    list: &[u32],
+    (x0, y0): (usize, usize),
+    pixels: &mut TilePixels,
+    depth: &mut TileDepth,
+) {
+    let lanes: [f32; TILE] = std::array::from_fn(|i| (x0 + i) as f32 + 0.5);
+    let (threshold, zero) = (s.splat(threshold()), s.splat(0.0));
+    let (most, least, half) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE), s.splat(0.5));
+    let TilePixels { transmittance, color: [red, green, blue], used } = pixels;
+    *used = list.len();
+    for (i, rank) in list.iter().enumerate() {
+        if i % CHECK == 0 && i > 0 && finished(s, transmittance) {
+            *used = i;
+            break;
+        }
+        let g = &splats[*rank as usize];
+        let (first, end) = row_range(g, y0 as f32);
+        let (r, gr, b, z) = (s.splat(g.color[0]), s.splat(g.color[1]), s.splat(g.color[2]), s.splat(g.depth));
+        for group in 0..TILE / S::LANES {
+            let column = group * S::LANES;
+            if S::LANES < TILE && !reaches(g, (x0 + column) as f32, S::LANES) {
+                continue;
+            }
+            let dx = s.sub(s.load(&lanes[column..]), s.splat(g.x));
+            let bx = s.mul(s.splat(g.b), dx);
+            let ax = s.fma(s.mul(s.splat(g.a), dx), dx, s.splat(g.level));
+            for row in first..end {
+                let at = row * TILE + column;
+                let dy = (y0 + row) as f32 + 0.5 - g.y;
+                let exponent = s.fma(s.splat(dy), s.fma(s.splat(g.c), s.splat(dy), bx), ax);
+                let t = s.load(&transmittance[at..]);
+                let hit = s.and(s.ge(exponent, threshold), s.gt(t, zero));
+                if !s.any(hit) {
+                    continue;
+                }
+                let alpha = s.min(s.exp2(exponent), most);
+                let w = s.mul(alpha, t);
+                let next = s.sub(t, w);
+                let go = s.and(hit, s.gt(next, least));
+                let w = s.select(go, w, zero);
+                s.store(s.select(go, next, s.select(hit, s.sub(zero, t), t)), &mut transmittance[at..]);
+                s.store(s.fma(w, r, s.load(&red[at..])), &mut red[at..]);
+                s.store(s.fma(w, gr, s.load(&green[at..])), &mut green[at..]);
+                s.store(s.fma(w, b, s.load(&blue[at..])), &mut blue[at..]);
+                if DEPTH {
+                    s.store(s.fma(w, z, s.load(&depth.expected[at..])), &mut depth.expected[at..]);
+                    let passes = s.and(s.and(go, s.gt(t, half)), s.ge(half, next));
+                    s.store(s.select(passes, z, s.load(&depth.median[at..])), &mut depth.median[at..]);
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+pub fn finished<S: Simd>(s: S, transmittance: &[f32; PIXELS]) -> bool {
+    let zero = s.splat(0.0);
+    transmittance.chunks_exact(S::LANES).all(|t| !s.any(s.gt(s.load(t), zero)))
+}

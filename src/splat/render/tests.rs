@@ -1,0 +1,207 @@
+//! The renderer against the f64 reference: pictures, and gradients against the reference's finite differences.
+
+use glam::Vec3;
+
+use super::binning::TILE;
+use super::projection::{View, backward};
+use super::raster_backward::TileLoss;
+use super::reference::{Pose, parameters, render as reference};
+use super::{Raster, render};
+use crate::splat::packed::Packed;
+use crate::splat::train::random::Random;
+use crate::splat::{Camera, Gaussians};
+
+/// `n` Gaussians in the unit ball, `size` their median standard deviation.
+pub fn scene(n: usize, size: f32, seed: u64) -> Gaussians {
+    let mut r = Random::new(seed);
+    let mut g = Gaussians::default();
+    for _ in 0..n {
+        g.positions.push(Vec3::new(r.normal(), r.normal(), r.normal()) * 0.4);
+        g.log_scales.push(Vec3::splat(size.ln()) + Vec3::new(r.normal(), r.normal(), r.normal()) * 0.5);
+        g.rotations.push(std::array::from_fn(|_| r.normal()));
+        g.logit_opacities.push(1.5 * r.normal());
+        g.sh.push(std::array::from_fn(|k| std::array::from_fn(|_| r.normal() * if k == 0 { 0.8 } else { 0.15 })));
+    }
+    g
+}
+
+/// A camera with a principal point off the centre and unequal focal lengths.
+pub fn camera(width: u32, height: u32) -> Camera {
+    let look = Camera::look_at(Vec3::new(1.2, -2.4, 0.9), Vec3::new(0.05, 0.1, -0.02), 0.6, 64);
+    let focal = width as f32;
+    Camera { width, height, fx: focal * 1.4, fy: focal * 1.6, cx: 0.4 * width as f32, cy: 0.57 * height as f32, ..look }
+}
+
+fn compare(g: &Gaussians, camera: &Camera) {
+    let background = [0.2, 0.5, 0.9];
+    let frame = render(g, camera, background);
+    let expected = reference(&parameters(g), camera, &Pose::new(camera, [0.0; 6]));
+    let mut doubtful = 0;
+    for (i, p) in expected.iter().enumerate() {
+        if p.doubtful {
+            doubtful += 1;
+            continue;
+        }
+        let at = (i % camera.width as usize, i / camera.width as usize);
+        for c in 0..3 {
+            let e = p.color[c] + p.transmittance * background[c] as f64;
+            assert!((frame.color[i][c] as f64 - e).abs() < 1e-4, "{at:?} channel {c}: {} {e}", frame.color[i][c]);
+        }
+        let alpha = 1.0 - p.transmittance;
+        assert!((frame.alpha[i] as f64 - alpha).abs() < 1e-4, "{at:?} alpha {} {alpha}", frame.alpha[i]);
+        if alpha > 0.01 {
+            let z = p.depth / alpha;
+            assert!((frame.depth[i] as f64 - z).abs() < 1e-3, "{at:?} depth {} {z}", frame.depth[i]);
+        }
+        if (p.transmittance - 0.5).abs() > 1e-3 {
+            assert!((frame.median_depth[i] as f64 - p.median).abs() < 1e-3 || p.median == 0.0, "{at:?} median");
+        }
+    }
+    assert!(doubtful * 8 < expected.len(), "{doubtful} of {} pixels could not be compared", expected.len());
+}
+
+#[test]
+fn pictures_match_the_reference() {
+    for (seed, n, size) in [(1, 200, 0.05), (2, 30, 0.25), (3, 60, 0.01), (4, 1, 0.3)] {
+        compare(&scene(n, size, seed), &camera(93, 70));
+        compare(&scene(n, size, seed + 10), &camera(64, 64));
+    }
+}
+
+#[test]
+fn long_thin_and_huge_ones_match_too() {
+    let mut g = scene(20, 0.03, 9);
+    g.log_scales[0] = Vec3::new(1.0, -5.0, -5.0);
+    g.log_scales[1] = Vec3::splat(1.5);
+    g.log_scales[2] = Vec3::new(-12.0, -12.0, -12.0);
+    compare(&g, &camera(80, 48));
+}
+
+#[test]
+fn what_cannot_be_drawn_is_left_out() {
+    let good = scene(30, 0.08, 6);
+    let picture = render(&good, &camera(50, 50), [0.0; 3]);
+    let mut g = good.clone();
+    let bad = scene(9, 0.1, 7);
+    for i in 0..9 {
+        g.positions.push(bad.positions[i]);
+        g.log_scales.push(bad.log_scales[i]);
+        g.rotations.push(bad.rotations[i]);
+        g.logit_opacities.push(bad.logit_opacities[i]);
+        g.sh.push(bad.sh[i]);
+    }
+    g.positions[30] = Vec3::new(4.0, -8.0, 3.0); // behind
+    g.positions[31].x = f32::NAN;
+    g.positions[32].y = f32::INFINITY;
+    g.log_scales[33].z = f32::NAN;
+    g.log_scales[34] = Vec3::splat(90.0); // e^90: not finite once squared
+    g.rotations[35] = [0.0; 4];
+    g.rotations[36][2] = f32::INFINITY;
+    g.logit_opacities[37] = f32::NAN;
+    g.sh[38][3][1] = f32::NAN;
+    assert_eq!(render(&g, &camera(50, 50), [0.0; 3]), picture);
+    // Nothing at all, and one pixel.
+    let empty = render(&Gaussians::default(), &camera(50, 50), [0.1, 0.2, 0.3]);
+    assert!(empty.color.iter().all(|c| *c == [0.1, 0.2, 0.3]) && empty.alpha.iter().all(|a| *a == 0.0));
+    render(&g, &camera(1, 1), [0.0; 3]);
+    // Extreme but finite ones must not panic.
+    for s in [-80.0, 20.0, 35.0, 43.0] {
+        let mut g = good.clone();
+        g.log_scales.iter_mut().for_each(|v| v.x = s);
+        let f = render(&g, &camera(40, 40), [0.0; 3]);
+        assert!(f.color.iter().flatten().all(|v| v.is_finite()));
+    }
+}
+
+#[test]
+fn gradients_match_finite_differences() {
+    for seed in 0..4 {
+        let camera = camera(35, 28);
+        let mut g = scene(9, 0.2, 100 + seed);
+        g.logit_opacities[0] = 7.0; // saturates at its centre
+        g.positions[1] = Vec3::new(-0.9, -0.6, 0.7); // near the edge or outside: the Jacobian's clamp
+        g.log_scales[1] = Vec3::splat(-0.3);
+        g.sh[2][0] = [-1.9, 0.3, -1.6]; // under the colour clamp
+        check_gradients(&g, &camera, seed);
+    }
+}
+
+fn check_gradients(g: &Gaussians, camera: &Camera, seed: u64) {
+    let (w, h) = (camera.width as usize, camera.height as usize);
+    let mut r = Random::new(seed);
+    // The loss: fixed random weights on colour and final transmittance.
+    let weights: Vec<[f32; 4]> = (0..w * h).map(|_| std::array::from_fn(|_| r.uniform() - 0.3)).collect();
+    let packed = Packed::pack(g);
+    let view = View::new(camera);
+    let mut raster = Raster::default();
+    raster.bins.build(&packed, &view, 3);
+    raster.forward(&view, None);
+    let tiles_x = raster.bins.tiles_x;
+    let mut loss = vec![TileLoss::default(); raster.tiles.len()];
+    for (i, v) in weights.iter().enumerate() {
+        let (x, y) = (i % w, i / w);
+        let (t, at) = (y / TILE * tiles_x + x / TILE, y % TILE * TILE + x % TILE);
+        for c in 0..3 {
+            loss[t].color[c][at] = v[c];
+        }
+        loss[t].transmittance[at] = v[3];
+    }
+    raster.backward(&loss);
+
+    let base = parameters(g);
+    let value = |p: &[super::reference::Parameters], by: [f64; 6]| -> f64 {
+        let pixels = reference(p, camera, &Pose::new(camera, by));
+        let one = |(p, v): (&super::reference::Pixel, &[f32; 4])| {
+            (0..3).map(|c| p.color[c] * v[c] as f64).sum::<f64>() + p.transmittance * v[3] as f64
+        };
+        pixels.iter().zip(&weights).map(one).sum()
+    };
+    // So small that hardly any pixel crosses the 1/255 cut between the two values; f64 still leaves 6 digits.
+    let eps = 1e-8;
+    let close = |got: f32, expected: f64, what: &str| {
+        let allowed = 0.01 * expected.abs() + 2e-3;
+        assert!((got as f64 - expected).abs() < allowed, "scene {seed}, {what}: {got}, differences give {expected}");
+    };
+    let names = ["x", "y", "z", "opacity", "qw", "qx", "qy", "qz", "sx", "sy", "sz"];
+    let mut pose = [0.0f32; 6];
+    let mut largest = [0.0f64; 12];
+    for i in 0..g.len() {
+        let up = raster.gradient_of(i).unwrap_or_default();
+        let got = backward(&packed.core[i], &packed.sh[i], &view, 3, &up).unwrap();
+        for k in 0..6 {
+            pose[k] += got.pose[k];
+        }
+        for k in 0..59 {
+            let (mut a, mut b) = (base.clone(), base.clone());
+            a[i][k] += eps;
+            b[i][k] -= eps;
+            let expected = (value(&a, [0.0; 6]) - value(&b, [0.0; 6])) / (2.0 * eps);
+            largest[k.min(11)] = largest[k.min(11)].max(expected.abs());
+            match k {
+                0..11 => close(got.core[k], expected, &format!("Gaussian {i} {}", names[k])),
+                _ => close(got.sh[k - 11], expected, &format!("Gaussian {i} coefficient {}", k - 11)),
+            }
+        }
+    }
+    // The tolerance would let zeros pass if every gradient were tiny.
+    assert!(largest.iter().all(|v| *v > 0.1), "{largest:?}");
+    for k in 0..6 {
+        let mut by = [0.0; 6];
+        by[k] = eps;
+        let up = value(&base, by);
+        by[k] = -eps;
+        let expected = (up - value(&base, by)) / (2.0 * eps);
+        close(pose[k], expected, &format!("pose {k}"));
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_byte() {
+    let (g, c) = (scene(3000, 0.03, 20), camera(200, 150));
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| render(&g, &c, [0.0; 3]))
+    };
+    assert_eq!(run(1), run(2));
+    assert_eq!(run(2), run(5));
+}

@@ -1,0 +1,533 @@
+//! (1 − λ)·L1 + λ·(1 − SSIM), forward and backward in two passes over the picture.
+//!
+//! SSIM (Wang et al. 2004): 11×11 Gaussian window, σ 1.5, zero outside the picture, C1 = 0.01², C2 = 0.03². Only
+//! σx² + σy² enters, so four filtered maps are enough: x, y, x² + y², x·y.
+
+use rayon::prelude::*;
+
+use super::random::hash;
+use crate::splat::render::binning::TILE;
+use crate::splat::render::raster_backward::TileLoss;
+use crate::splat::render::raster_forward::TilePixels;
+use crate::splat::simd::{Kernel, Simd, dispatch};
+
+const C1: f32 = 1e-4;
+const C2: f32 = 9e-4;
+/// Half the window.
+const REACH: usize = 5;
+/// Rows of zeros above and below, columns left and right.
+const PAD_ROWS: usize = 8;
+const PAD: usize = 16;
+/// Gaussian of σ 1.5 on −5..=5, normalised: the centre and the five to one side.
+const WINDOW: [f32; 6] = [0.266_011_7, 0.213_005_54, 0.109_360_69, 0.036_000_773, 0.007_598_758_3, 0.001_028_38];
+
+/// What lies behind the subject in one iteration. A changing background makes the loss see alpha.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    Flat([f32; 3]),
+    /// Uniform noise, another at every pixel.
+    Noise(u64),
+}
+
+impl Background {
+    #[inline(always)]
+    fn tile_row(self, y: usize, x0: usize) -> [[f32; TILE]; 3] {
+        match self {
+            Background::Flat(c) => c.map(|v| [v; TILE]),
+            Background::Noise(seed) => {
+                let mut out = [[0.0; TILE]; 3];
+                for i in 0..TILE {
+                    let h = hash(seed ^ ((y as u64) << 32 | (x0 + i) as u64));
+                    for (c, line) in out.iter_mut().enumerate() {
+                        line[i] = ((h >> (20 * c)) & 0xf_ffff) as f32 / 1_048_575.0;
+                    }
+                }
+                out
+            }
+        }
+    }
+}
+
+/// A target laid out for the loss: lines of red, green, blue (times alpha), alpha, and 1 where held back.
+pub struct Wanted {
+    pub width: usize,
+    pub height: usize,
+    wide: usize,
+    tiles_x: usize,
+    tiles_y: usize,
+    lines: Vec<f32>,
+    /// Tiles with any alpha.
+    occupied: Vec<bool>,
+}
+
+impl Wanted {
+    /// `color` is straight (not multiplied by alpha), both rows from the top.
+    pub fn new(width: usize, height: usize, color: &[[f32; 3]], alpha: &[f32], held_back: Option<&[bool]>) -> Self {
+        let (tiles_x, tiles_y) = (width.div_ceil(TILE), height.div_ceil(TILE));
+        let wide = tiles_x * TILE;
+        let mut lines = vec![0.0; 5 * wide * height];
+        let mut occupied = vec![false; tiles_x * tiles_y];
+        for y in 0..height {
+            for x in 0..width {
+                let i = y * width + x;
+                let at = y * 5 * wide + x;
+                for c in 0..3 {
+                    lines[at + c * wide] = color[i][c] * alpha[i];
+                }
+                lines[at + 3 * wide] = alpha[i];
+                lines[at + 4 * wide] = if held_back.is_some_and(|h| h[i]) { 1.0 } else { 0.0 };
+                occupied[y / TILE * tiles_x + x / TILE] |= alpha[i] > 0.0;
+            }
+        }
+        Wanted { width, height, wide, tiles_x, tiles_y, lines, occupied }
+    }
+}
+
+/// Buffers for pictures of one size.
+pub struct Loss {
+    stride: usize,
+    /// Lines of x (red, green, blue) and y (the same), padded.
+    pictures: Vec<f32>,
+    /// Lines of ∂SSIM/∂μx, ∂SSIM/∂(x² + y²), ∂SSIM/∂(xy), three channels each, padded.
+    partials: Vec<f32>,
+    pub tiles: Vec<TileLoss>,
+    /// Tile columns first..end of each tile row in which anything can differ.
+    active: Vec<(usize, usize)>,
+    /// Σ |x − y| and Σ (1 − SSIM) of each row.
+    sums: Vec<[f64; 2]>,
+}
+
+impl Loss {
+    pub fn new(width: usize, height: usize) -> Self {
+        let (tiles_x, tiles_y) = (width.div_ceil(TILE), height.div_ceil(TILE));
+        let stride = tiles_x * TILE + 2 * PAD;
+        let rows = tiles_y * TILE + 2 * PAD_ROWS;
+        Loss {
+            stride,
+            pictures: vec![0.0; 6 * stride * rows],
+            partials: vec![0.0; 9 * stride * rows],
+            tiles: vec![TileLoss::default(); tiles_x * tiles_y],
+            active: vec![(0, 0); tiles_y],
+            sums: vec![[0.0; 2]; tiles_y * TILE],
+        }
+    }
+
+    /// The loss, and in `tiles` its gradient with respect to what the rasteriser made. `drawn(t)`: tile t has splats.
+    pub fn evaluate(
+        &mut self,
+        rendered: &[TilePixels],
+        drawn: impl Fn(usize) -> bool,
+        wanted: &Wanted,
+        background: Background,
+        lambda: f32,
+        weight: f32,
+    ) -> f64 {
+        let (stride, tiles_x) = (self.stride, wanted.tiles_x);
+        for row in 0..wanted.tiles_y {
+            let busy = |t: &usize| wanted.occupied[row * tiles_x + t] || drawn(row * tiles_x + t);
+            self.active[row] = match ((0..tiles_x).find(busy), (0..tiles_x).rfind(busy)) {
+                (Some(first), Some(last)) => (first, last + 1),
+                _ => (0, 0),
+            };
+        }
+        let body = 6 * stride * PAD_ROWS..6 * stride * (PAD_ROWS + wanted.tiles_y * TILE);
+        self.pictures[body].par_chunks_mut(6 * stride * TILE).enumerate().for_each(|(row, lines)| {
+            dispatch(Compose { rendered, wanted, background, row, stride, lines });
+        });
+
+        // One row's SSIM sees 5 rows and columns around it: the active tiles of the neighbouring tile rows, one wider.
+        let around: Vec<(usize, usize)> = (0..wanted.tiles_y)
+            .map(|row| {
+                let near = &self.active[row.saturating_sub(1)..(row + 2).min(wanted.tiles_y)];
+                let spans = near.iter().filter(|s| s.0 < s.1);
+                spans
+                    .copied()
+                    .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+                    .map_or((0, 0), |(a, b)| (a.saturating_sub(1), (b + 1).min(tiles_x)))
+            })
+            .collect();
+        let pictures = &self.pictures;
+        let body = 9 * stride * PAD_ROWS..9 * stride * (PAD_ROWS + wanted.tiles_y * TILE);
+        self.partials[body].par_chunks_mut(9 * stride * TILE).zip(self.sums.par_chunks_mut(TILE)).enumerate().for_each(
+            |(row, (partials, sums))| {
+                let span = around[row];
+                dispatch(Ssim { pictures, wanted, row, span, stride, partials, sums });
+            },
+        );
+
+        let scale = weight / (3 * wanted.width * wanted.height) as f32;
+        let (partials, active) = (&self.partials, &self.active);
+        self.tiles.par_chunks_mut(tiles_x).enumerate().for_each(|(row, tiles)| {
+            let span = active[row];
+            let rates = [(1.0 - lambda) * scale, -lambda * scale];
+            dispatch(Gradient { pictures, partials, wanted, background, row, span, stride, rates, tiles });
+        });
+
+        let sums = self.sums.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+        ((1.0 - lambda) as f64 * sums[0] + lambda as f64 * sums[1]) * scale as f64
+    }
+}
+
+struct Compose<'a> {
+    rendered: &'a [TilePixels],
+    wanted: &'a Wanted,
+    background: Background,
+    row: usize,
+    stride: usize,
+    lines: &'a mut [f32],
+}
+
+impl Kernel for Compose<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        let w = self.wanted;
+        let one = s.splat(1.0);
+        for (j, line) in self.lines.chunks_exact_mut(6 * self.stride).enumerate() {
+            let y = self.row * TILE + j;
+            if y >= w.height {
+                break;
+            }
+            let target = &w.lines[y * 5 * w.wide..(y + 1) * 5 * w.wide];
+            for t in 0..w.tiles_x {
+                let tile = &self.rendered[self.row * w.tiles_x + t];
+                let behind = self.background.tile_row(y, t * TILE);
+                for at in (0..TILE).step_by(S::LANES) {
+                    let x = t * TILE + at;
+                    let through = s.load(&tile.transmittance[j * TILE + at..]);
+                    let through = s.select(s.gt(through, s.splat(0.0)), through, s.sub(s.splat(0.0), through));
+                    let open = s.sub(one, s.load(&target[3 * w.wide + x..]));
+                    let held = s.gt(s.load(&target[4 * w.wide + x..]), s.splat(0.0));
+                    for c in 0..3 {
+                        let b = s.load(&behind[c][at..]);
+                        let rendered = s.fma(through, b, s.load(&tile.color[c][j * TILE + at..]));
+                        let wanted = s.fma(open, b, s.load(&target[c * w.wide + x..]));
+                        s.store(rendered, &mut line[c * self.stride + PAD + x..]);
+                        s.store(s.select(held, rendered, wanted), &mut line[(3 + c) * self.stride + PAD + x..]);
+                    }
+                }
+            }
+            for c in 0..6 {
+                line[c * self.stride + PAD + w.width..(c + 1) * self.stride - PAD].fill(0.0);
+            }
+        }
+    }
+}
+
+/// The window applied along a line at `at`.
+#[inline(always)]
+fn along<S: Simd>(s: S, line: &[f32], at: usize) -> S::F {
+    let mut sum = s.mul(s.splat(WINDOW[0]), s.load(&line[at..]));
+    for (k, w) in WINDOW.iter().enumerate().skip(1) {
+        sum = s.fma(s.splat(*w), s.add(s.load(&line[at - k..]), s.load(&line[at + k..])), sum);
+    }
+    sum
+}
+
+struct Ssim<'a> {
+    pictures: &'a [f32],
+    wanted: &'a Wanted,
+    row: usize,
+    /// Tile columns.
+    span: (usize, usize),
+    stride: usize,
+    partials: &'a mut [f32],
+    sums: &'a mut [[f64; 2]],
+}
+
+impl Kernel for Ssim<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        self.sums.fill([0.0; 2]);
+        let (first, end) = (self.span.0 * TILE, self.span.1 * TILE);
+        if first == end {
+            return;
+        }
+        let (stride, step) = (self.stride, 6 * self.stride);
+        let [one, two, zero] = [1.0, 2.0, 0.0].map(|v| s.splat(v));
+        let (c1, c2) = (s.splat(C1), s.splat(C2));
+        // Filtered down the columns: x, y, x² + y², x·y.
+        let mut column = vec![0.0f32; 4 * stride];
+        for (j, partials) in self.partials.chunks_exact_mut(9 * stride).enumerate() {
+            let y = self.row * TILE + j;
+            if y >= self.wanted.height {
+                break;
+            }
+            let top = (PAD_ROWS + y - REACH) * step;
+            let (mut l1, mut lost) = (0.0f64, 0.0f64);
+            for c in 0..3 {
+                // From PAD before the span to PAD after it: every tap along the row is there.
+                for at in (first..end + 2 * PAD).step_by(S::LANES) {
+                    let [mut mx, mut my, mut q, mut r] = [zero; 4];
+                    for k in 0..2 * REACH + 1 {
+                        let w = s.splat(WINDOW[k.abs_diff(REACH)]);
+                        let base = top + k * step + c * stride + at;
+                        let (x, y) = (s.load(&self.pictures[base..]), s.load(&self.pictures[base + 3 * stride..]));
+                        mx = s.fma(w, x, mx);
+                        my = s.fma(w, y, my);
+                        q = s.fma(w, s.fma(x, x, s.mul(y, y)), q);
+                        r = s.fma(w, s.mul(x, y), r);
+                    }
+                    s.store(mx, &mut column[at..]);
+                    s.store(my, &mut column[stride + at..]);
+                    s.store(q, &mut column[2 * stride + at..]);
+                    s.store(r, &mut column[3 * stride + at..]);
+                }
+                let [cx, cy, cq, cr] = std::array::from_fn(|k| &column[k * stride..(k + 1) * stride]);
+                let here = (PAD_ROWS + y) * step + c * stride;
+                let (mut row_l1, mut row_lost) = (zero, zero);
+                for x in (first..end).step_by(S::LANES) {
+                    let at = PAD + x;
+                    let (mx, my, q, r) = (along(s, cx, at), along(s, cy, at), along(s, cq, at), along(s, cr, at));
+                    let m = s.mul(mx, my);
+                    let squares = s.fma(mx, mx, s.mul(my, my));
+                    let a1 = s.fma(two, m, c1);
+                    let a2 = s.fma(two, s.sub(r, m), c2);
+                    let b1 = s.add(squares, c1);
+                    let b2 = s.add(s.sub(q, squares), c2);
+                    let inverse = s.div(one, s.mul(b1, b2));
+                    let (i1, i2) = (s.mul(inverse, b2), s.mul(inverse, b1));
+                    let ssim = s.mul(s.mul(a1, a2), inverse);
+                    let d_mu = s.sub(
+                        s.mul(s.mul(two, my), s.mul(s.sub(a2, a1), inverse)),
+                        s.mul(s.mul(two, mx), s.mul(ssim, s.sub(i1, i2))),
+                    );
+                    let d_q = s.sub(zero, s.mul(ssim, i2));
+                    let d_r = s.mul(s.mul(two, a1), inverse);
+                    s.store(d_mu, &mut partials[c * stride + at..]);
+                    s.store(d_q, &mut partials[(3 + c) * stride + at..]);
+                    s.store(d_r, &mut partials[(6 + c) * stride + at..]);
+                    let (px, py) =
+                        (s.load(&self.pictures[here + at..]), s.load(&self.pictures[here + 3 * stride + at..]));
+                    let d = s.sub(px, py);
+                    row_l1 = s.add(row_l1, s.select(s.gt(d, zero), d, s.sub(zero, d)));
+                    // Columns past the picture are zeros, whose SSIM is not counted.
+                    if x + S::LANES <= self.wanted.width {
+                        row_lost = s.add(row_lost, s.sub(one, ssim));
+                    } else {
+                        let mut tail = [0.0f32; 16];
+                        s.store(s.sub(one, ssim), &mut tail);
+                        lost += tail[..self.wanted.width.saturating_sub(x).min(S::LANES)].iter().sum::<f32>() as f64;
+                    }
+                }
+                l1 += s.sum(row_l1) as f64;
+                lost += s.sum(row_lost) as f64;
+                for k in [c, 3 + c, 6 + c] {
+                    partials[k * stride + PAD + self.wanted.width..(k + 1) * stride].fill(0.0);
+                }
+            }
+            self.sums[j] = [l1, lost];
+        }
+    }
+}
+
+struct Gradient<'a> {
+    pictures: &'a [f32],
+    partials: &'a [f32],
+    wanted: &'a Wanted,
+    background: Background,
+    row: usize,
+    span: (usize, usize),
+    stride: usize,
+    /// Of |x − y| and of SSIM.
+    rates: [f32; 2],
+    tiles: &'a mut [TileLoss],
+}
+
+impl Kernel for Gradient<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        let (first, end) = (self.span.0 * TILE, self.span.1 * TILE);
+        let w = self.wanted;
+        let stride = self.stride;
+        let mut column = vec![0.0f32; 3 * stride];
+        let (zero, two) = (s.splat(0.0), s.splat(2.0));
+        let (absolute, similarity) = (s.splat(self.rates[0]), s.splat(self.rates[1]));
+        for j in 0..TILE {
+            let y = self.row * TILE + j;
+            if y >= w.height {
+                // Rows below the picture.
+                for tile in &mut self.tiles[self.span.0..self.span.1] {
+                    let rest = j * TILE..;
+                    tile.transmittance[rest.clone()].fill(0.0);
+                    tile.color.iter_mut().for_each(|c| c[rest.clone()].fill(0.0));
+                }
+                break;
+            }
+            for t in self.span.0..self.span.1 {
+                self.tiles[t].transmittance[j * TILE..(j + 1) * TILE].fill(0.0);
+            }
+            let top = (PAD_ROWS + y - REACH) * 9 * stride;
+            for c in 0..3 {
+                for at in (first..end + 2 * PAD).step_by(S::LANES) {
+                    let mut sum = [zero; 3];
+                    for k in 0..2 * REACH + 1 {
+                        let weight = s.splat(WINDOW[k.abs_diff(REACH)]);
+                        let base = top + k * 9 * stride + c * stride + at;
+                        for (m, sum) in sum.iter_mut().enumerate() {
+                            *sum = s.fma(weight, s.load(&self.partials[base + m * 3 * stride..]), *sum);
+                        }
+                    }
+                    for (m, sum) in sum.iter().enumerate() {
+                        s.store(*sum, &mut column[m * stride + at..]);
+                    }
+                }
+                let here = (PAD_ROWS + y) * 6 * stride + c * stride + PAD;
+                let held = y * 5 * w.wide + 4 * w.wide;
+                for t in self.span.0..self.span.1 {
+                    let behind = self.background.tile_row(y, t * TILE)[c];
+                    let tile = &mut self.tiles[t];
+                    for lane in (0..TILE).step_by(S::LANES) {
+                        let x = t * TILE + lane;
+                        let [d_mu, d_q, d_r] = std::array::from_fn(|m| along(s, &column[m * stride..], PAD + x));
+                        let px = s.load(&self.pictures[here + x..]);
+                        let py = s.load(&self.pictures[here + 3 * stride + x..]);
+                        let ssim = s.fma(py, d_r, s.fma(s.mul(two, px), d_q, d_mu));
+                        let sign =
+                            s.select(s.gt(px, py), absolute, s.select(s.gt(py, px), s.sub(zero, absolute), zero));
+                        let v = s.fma(similarity, ssim, sign);
+                        let free = s.ge(zero, s.load(&w.lines[held + x..]));
+                        let v = s.select(free, v, zero);
+                        let at = j * TILE + lane;
+                        s.store(v, &mut tile.color[c][at..]);
+                        let sum = s.fma(v, s.load(&behind[lane..]), s.load(&tile.transmittance[at..]));
+                        s.store(sum, &mut tile.transmittance[at..]);
+                    }
+                }
+                if w.width < end {
+                    // Columns right of the picture.
+                    let tile = &mut self.tiles[w.tiles_x - 1];
+                    let rest = j * TILE + w.width % TILE..(j + 1) * TILE;
+                    tile.color[c][rest.clone()].fill(0.0);
+                    tile.transmittance[rest].fill(0.0);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::splat::train::random::Random;
+
+    fn window() -> [f64; 11] {
+        let raw: [f64; 11] = std::array::from_fn(|i| (-((i as f64 - 5.0).powi(2)) / 4.5).exp());
+        let sum: f64 = raw.iter().sum();
+        raw.map(|v| v / sum)
+    }
+
+    /// The loss as its definition reads, in f64, one pixel and window at a time.
+    fn reference(w: usize, h: usize, x: &[[f64; 3]], y: &[[f64; 3]], lambda: f64) -> f64 {
+        let k = window();
+        let mut total = 0.0;
+        for c in 0..3 {
+            for py in 0..h as i64 {
+                for px in 0..w as i64 {
+                    let [mut mx, mut my, mut xx, mut yy, mut xy] = [0.0; 5];
+                    for dy in -5..=5i64 {
+                        for dx in -5..=5i64 {
+                            let (qx, qy) = (px + dx, py + dy);
+                            if qx < 0 || qy < 0 || qx >= w as i64 || qy >= h as i64 {
+                                continue;
+                            }
+                            let g = k[(dx + 5) as usize] * k[(dy + 5) as usize];
+                            let (a, b) = (x[qy as usize * w + qx as usize][c], y[qy as usize * w + qx as usize][c]);
+                            mx += g * a;
+                            my += g * b;
+                            xx += g * a * a;
+                            yy += g * b * b;
+                            xy += g * a * b;
+                        }
+                    }
+                    let (c1, c2) = (1e-4, 9e-4);
+                    let ssim = (2.0 * mx * my + c1) * (2.0 * (xy - mx * my) + c2)
+                        / ((mx * mx + my * my + c1) * (xx - mx * mx + yy - my * my + c2));
+                    let i = py as usize * w + px as usize;
+                    total += (1.0 - lambda) * (x[i][c] - y[i][c]).abs() + lambda * (1.0 - ssim);
+                }
+            }
+        }
+        total / (3 * w * h) as f64
+    }
+
+    #[test]
+    fn window_is_a_normalised_gaussian() {
+        for (i, w) in window().iter().enumerate() {
+            assert!((w - WINDOW[i.abs_diff(5)] as f64).abs() < 1e-7, "{i}: {w}");
+        }
+    }
+
+    #[test]
+    fn value_and_gradient_match_the_definition() {
+        let (w, h) = (37usize, 21usize);
+        let mut random = Random::new(5);
+        let mut unit = || random.uniform();
+        let color: Vec<[f32; 3]> = (0..w * h).map(|_| std::array::from_fn(|_| unit())).collect();
+        let alpha: Vec<f32> = (0..w * h).map(|i| if i % w > 4 { unit() } else { 0.0 }).collect();
+        let held: Vec<bool> = (0..w * h).map(|i| i / w > 15 && i % w > 20).collect();
+        let tiles_x = w.div_ceil(TILE);
+        let mut rendered = vec![TilePixels::default(); tiles_x * h.div_ceil(TILE)];
+        for t in &mut rendered {
+            t.transmittance.iter_mut().for_each(|v| *v = 0.1 + 0.8 * unit());
+            t.color.iter_mut().for_each(|c| c.iter_mut().for_each(|v| *v = 0.5 * unit()));
+        }
+        let wanted = Wanted::new(w, h, &color, &alpha, Some(&held));
+        let behind = [0.9f32, 0.3, 0.0];
+        let mut loss = Loss::new(w, h);
+        let value = loss.evaluate(&rendered, |_| true, &wanted, Background::Flat(behind), 0.2, 1.0);
+        let index = |x: usize, y: usize| (y / TILE * tiles_x + x / TILE, y % TILE * TILE + x % TILE);
+        let picture = |rendered: &[TilePixels]| -> Vec<[f64; 3]> {
+            (0..w * h)
+                .map(|i| {
+                    let (t, p) = index(i % w, i / w);
+                    std::array::from_fn(|c| {
+                        rendered[t].color[c][p] as f64 + rendered[t].transmittance[p] as f64 * behind[c] as f64
+                    })
+                })
+                .collect()
+        };
+        let x = picture(&rendered);
+        let y: Vec<[f64; 3]> = (0..w * h)
+            .map(|i| {
+                let a = alpha[i] as f64;
+                std::array::from_fn(|c| {
+                    if held[i] { x[i][c] } else { color[i][c] as f64 * a + (1.0 - a) * behind[c] as f64 }
+                })
+            })
+            .collect();
+        let expected = reference(w, h, &x, &y, 0.2);
+        assert!((value - expected).abs() < 1e-6, "{value} {expected}");
+        for (px, py) in [(0, 0), (7, 3), (36, 20), (36, 2), (20, 15), (16, 16), (30, 18)] {
+            let (t, p) = index(px, py);
+            for c in 0..3 {
+                let shifted = |by: f64| {
+                    let mut x = x.clone();
+                    x[py * w + px][c] += by;
+                    reference(w, h, &x, &y, 0.2)
+                };
+                let difference = (shifted(1e-5) - shifted(-1e-5)) / 2e-5;
+                let difference = if held[py * w + px] { 0.0 } else { difference };
+                let got = loss.tiles[t].color[c][p] as f64;
+                assert!((got - difference).abs() < 1e-7 + 1e-3 * difference.abs(), "{px} {py} {c}: {got} {difference}");
+            }
+            let sum: f32 = (0..3).map(|c| loss.tiles[t].color[c][p] * behind[c]).sum();
+            assert!((sum - loss.tiles[t].transmittance[p]).abs() < 1e-8);
+        }
+        // Padding of the last tiles must not pull on anything.
+        assert_eq!(loss.tiles[tiles_x - 1].color[0][w % TILE], 0.0);
+        assert_eq!(loss.tiles[tiles_x].transmittance[(h % TILE) * TILE], 0.0);
+    }
+
+    #[test]
+    fn equal_pictures_cost_nothing() {
+        let (w, h) = (32, 32);
+        let wanted = Wanted::new(w, h, &vec![[0.0; 3]; w * h], &vec![0.0; w * h], None);
+        let rendered = vec![TilePixels::default(); 4];
+        let mut loss = Loss::new(w, h);
+        assert!(loss.evaluate(&rendered, |_| true, &wanted, Background::Noise(3), 0.2, 1.0).abs() < 1e-7);
+        assert!(loss.tiles.iter().all(|t| t.color[0].iter().all(|v| v.abs() < 1e-8)));
+    }
+}

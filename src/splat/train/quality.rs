@@ -1,0 +1,60 @@
+//! How near the render comes to a target, in decibels.
+
+use super::Target;
+use crate::splat::Camera;
+use crate::splat::packed::Packed;
+use crate::splat::render::Raster;
+use crate::splat::render::binning::TILE;
+use crate::splat::render::projection::View;
+
+/// PSNR in dB, both pictures over mid-grey, the render clamped to 0..1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quality {
+    /// Over pixels trained on, inside the mask (alpha > ½).
+    pub subject: f32,
+    /// Over all pixels trained on.
+    pub picture: f32,
+    /// Over the held-back pixels, inside the mask.
+    pub held_back: Option<f32>,
+}
+
+pub fn measure(raster: &mut Raster, gaussians: &Packed, cameras: &[Camera], targets: &[Target]) -> Vec<Quality> {
+    cameras
+        .iter()
+        .zip(targets)
+        .map(|(camera, target)| {
+            let view = View::new(camera);
+            raster.bins.build(gaussians, &view, 3);
+            raster.forward(&view, None);
+            // Σ of squares and their number: subject, picture, held back.
+            let mut sums = [[0.0f64; 2]; 3];
+            for (i, (wanted, alpha)) in target.color.iter().zip(&target.alpha).enumerate() {
+                let (x, y) = (i % view.width, i / view.width);
+                let tile = &raster.tiles[y / TILE * raster.bins.tiles_x + x / TILE];
+                let at = y % TILE * TILE + x % TILE;
+                let through = tile.transmittance[at].abs();
+                let mut square = 0.0;
+                for c in 0..3 {
+                    let rendered = (tile.color[c][at] + 0.5 * through).clamp(0.0, 1.0);
+                    let e = (rendered - (wanted[c] * alpha + 0.5 * (1.0 - alpha))) as f64;
+                    square += e * e / 3.0;
+                }
+                let held = target.held_back.as_ref().is_some_and(|h| h[i]);
+                let subject = *alpha > 0.5;
+                for (sum, counted) in sums.iter_mut().zip([subject && !held, !held, subject && held]) {
+                    if counted {
+                        sum[0] += square;
+                        sum[1] += 1.0;
+                    }
+                }
+            }
+            let [subject, picture, held] = sums.map(|[s, n]| decibels(s / n.max(1.0)));
+            Quality { subject, picture, held_back: (sums[2][1] > 0.0).then_some(held) }
+        })
+        .collect()
+}
+
+/// At most 100: equal pictures have no finite PSNR.
+fn decibels(mean_square: f64) -> f32 {
+    (-10.0 * mean_square.max(1e-10).log10()) as f32
+}

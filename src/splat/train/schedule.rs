@@ -1,0 +1,210 @@
+//! What happens when: step sizes, harmonics, density control, and which target's turn it is.
+
+use std::time::Instant;
+
+use super::adam::LaneRates;
+use super::loss::Background;
+use super::random::hash;
+
+/// Adam's step sizes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates {
+    /// Times the scene's extent; falls exponentially to `position_final`.
+    pub position: f32,
+    pub position_final: f32,
+    pub opacity: f32,
+    pub rotation: f32,
+    pub scale: f32,
+    /// Degree 0.
+    pub color: f32,
+    /// Degrees 1 to 3.
+    pub harmonics: f32,
+    /// Radians.
+    pub pose: f32,
+}
+
+/// Adaptive density control.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Density {
+    pub every: usize,
+    pub from: usize,
+    pub until: usize,
+    /// Mean |∂L/∂mean| in normalised device units above which a Gaussian is cloned or split.
+    pub gradient: f32,
+    /// Times the scene's extent: larger ones are split, smaller ones cloned.
+    pub split_scale: f32,
+    pub prune_opacity: f32,
+    /// At most this share of the Gaussians is cloned or split in one round.
+    pub growth: f32,
+    pub max_gaussians: usize,
+    /// Opacities are brought down this often; 0: never.
+    pub reset_every: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    pub iterations: usize,
+    /// Share of 1 − SSIM in the loss.
+    pub lambda_dssim: f32,
+    pub seed: u64,
+    pub rates: Rates,
+    /// Size of the scene: 1.1 times the cameras' distance in gsplat.
+    pub scene_extent: f32,
+    /// One more degree of harmonics every so many iterations.
+    pub sh_degree_every: usize,
+    pub density: Density,
+    /// Poses are refined from this iteration on.
+    pub pose_from: usize,
+    /// Stop here even if iterations are left. A run that this stops depends on the machine's speed.
+    pub deadline: Option<Instant>,
+}
+
+impl Default for Options {
+    /// The 7,000 iterations of Kerbl et al. 2023, with gsplat 1.6's step sizes.
+    fn default() -> Self {
+        Options {
+            iterations: 7000,
+            lambda_dssim: 0.2,
+            seed: 0,
+            rates: Rates {
+                position: 1.6e-4,
+                position_final: 1.6e-6,
+                opacity: 5e-2,
+                rotation: 1e-3,
+                scale: 5e-3,
+                color: 2.5e-3,
+                harmonics: 2.5e-3 / 20.0,
+                pose: 1e-4,
+            },
+            scene_extent: 4.3,
+            sh_degree_every: 1000,
+            density: Density {
+                every: 100,
+                from: 500,
+                until: 15_000,
+                gradient: 2e-4,
+                split_scale: 0.01,
+                prune_opacity: 0.005,
+                growth: 1.0,
+                max_gaussians: 1_000_000,
+                reset_every: 3000,
+            },
+            pose_from: 500,
+            deadline: None,
+        }
+    }
+}
+
+impl Options {
+    /// The default schedule squeezed into `iterations`, for Gaussians that are about right at the start.
+    ///
+    /// A short run has no time to recover from an opacity reset, so there is none, and growth is modest.
+    pub fn scaled(iterations: usize) -> Self {
+        let full = Options::default();
+        if iterations >= full.iterations {
+            return Options { iterations, ..full };
+        }
+        let squeeze = |at: usize| (at * iterations).div_ceil(full.iterations).max(1);
+        Options {
+            iterations,
+            sh_degree_every: squeeze(full.sh_degree_every),
+            density: Density {
+                // A round every 50 needs that long to gather its statistics.
+                every: squeeze(full.density.every).max(50),
+                from: squeeze(full.density.from).max(50),
+                // Growing stops half-way: what is new needs time to settle.
+                until: iterations / 2,
+                growth: 0.05,
+                max_gaussians: 60_000,
+                reset_every: 0,
+                ..full.density
+            },
+            pose_from: squeeze(full.pose_from),
+            ..full
+        }
+    }
+
+    pub(super) fn degree(&self, iteration: usize) -> usize {
+        (iteration / self.sh_degree_every.max(1)).min(3)
+    }
+
+    pub(super) fn lane_rates(&self, iteration: usize) -> LaneRates {
+        let r = &self.rates;
+        let t = iteration as f32 / self.iterations.max(1) as f32;
+        let position = (r.position.ln() * (1.0 - t) + r.position_final.ln() * t).exp();
+        LaneRates::new(position * self.scene_extent, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
+    }
+
+    /// Black, white, grey and noise in turn, in an order that the seed picks.
+    pub(super) fn background(&self, iteration: usize) -> Background {
+        let h = hash(self.seed ^ hash(iteration as u64));
+        match h % 4 {
+            0 => Background::Flat([0.0; 3]),
+            1 => Background::Flat([1.0; 3]),
+            2 => Background::Flat([0.5; 3]),
+            _ => Background::Noise(h),
+        }
+    }
+}
+
+/// Whose turn it is: smooth weighted round robin. Each target comes up in proportion to its weight, evenly spread.
+pub struct Turns {
+    weights: Vec<f32>,
+    credit: Vec<f32>,
+}
+
+impl Turns {
+    pub fn new(weights: impl Iterator<Item = f32>) -> Self {
+        let weights: Vec<f32> = weights.map(|w| if w.is_finite() { w.max(0.0) } else { 0.0 }).collect();
+        Turns { credit: vec![0.0; weights.len()], weights }
+    }
+
+    /// None when no target has any weight.
+    pub fn next(&mut self) -> Option<usize> {
+        let total: f32 = self.weights.iter().sum();
+        if total <= 0.0 {
+            return None;
+        }
+        for (c, w) in self.credit.iter_mut().zip(&self.weights) {
+            *c += w;
+        }
+        let mut best = None::<usize>;
+        for i in 0..self.credit.len() {
+            if self.weights[i] > 0.0 && best.is_none_or(|b| self.credit[i] > self.credit[b]) {
+                best = Some(i);
+            }
+        }
+        if let Some(b) = best {
+            self.credit[b] -= total;
+        }
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_follow_the_weights() {
+        let mut turns = Turns::new([6.0, 1.0, 1.0, 0.0].into_iter());
+        let mut counts = [0; 4];
+        for _ in 0..80 {
+            counts[turns.next().unwrap()] += 1;
+        }
+        assert_eq!(counts, [60, 10, 10, 0]);
+        assert_eq!(Turns::new([0.0].into_iter()).next(), None);
+    }
+
+    #[test]
+    fn a_short_run_keeps_the_order_of_events() {
+        for n in [10, 300, 1000, 6999] {
+            let o = Options::scaled(n);
+            assert!(o.sh_degree_every >= 1 && o.density.every >= 1 && o.density.reset_every == 0);
+            assert_eq!(o.degree(n), 3);
+        }
+        assert_eq!(Options::scaled(7000), Options::default());
+        let last = Options::default().lane_rates(7000).core[0];
+        assert!((last - 1.6e-6 * 4.3).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,136 @@
+use std::time::{Duration, Instant};
+
+use glam::Vec3;
+
+use super::*;
+use crate::progress::Silent;
+use crate::splat::render;
+use crate::splat::render::tests::scene;
+
+/// A ring of views of `g`, `size` pixels across.
+fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
+    (0..count)
+        .map(|i| {
+            let a = i as f32 / count as f32 * std::f32::consts::TAU;
+            let camera = Camera::look_at(Vec3::new(3.0 * a.cos(), 3.0 * a.sin(), 0.8), Vec3::ZERO, 0.7, size);
+            let frame = render(g, &camera, [0.0; 3]);
+            Target {
+                camera,
+                color: frame.color.iter().zip(&frame.alpha).map(|(c, a)| c.map(|v| v / a.max(1e-3))).collect(),
+                alpha: frame.alpha,
+                weight: 1.0,
+                refine_pose: false,
+                held_back: None,
+                name: format!("view {i}"),
+            }
+        })
+        .collect()
+}
+
+/// The scene, its views, and a disturbed copy to start from.
+fn problem() -> (Vec<Target>, Gaussians) {
+    let truth = scene(150, 0.12, 1);
+    let targets = views(&truth, 5, 48);
+    let mut start = truth;
+    let mut r = random::Random::new(8);
+    for i in 0..start.len() {
+        start.positions[i] += Vec3::new(r.normal(), r.normal(), r.normal()) * 0.03;
+        start.log_scales[i] += Vec3::splat(0.2 * r.normal());
+        start.sh[i][0] = start.sh[i][0].map(|c| 0.5 * c + 0.2 * r.normal());
+        start.logit_opacities[i] += 0.5 * r.normal();
+    }
+    (targets, start)
+}
+
+#[test]
+fn training_raises_quality_also_where_it_was_not_trained() {
+    let (mut targets, start) = problem();
+    targets[4].weight = 0.0;
+    let mut held = vec![false; 48 * 48];
+    held[20 * 48..24 * 48].fill(true);
+    targets[0].held_back = Some(held);
+    let options = Options { pose_from: 0, ..Options::scaled(160) };
+    let trained = train(start, &targets, &options, &Silent).unwrap();
+    let r = &trained.report;
+    assert_eq!(r.iterations, 160);
+    for t in &r.targets[..4] {
+        assert!(t.after.picture > t.before.picture + 6.0, "{t:?}");
+    }
+    assert!(r.targets[0].after.held_back.unwrap() > r.targets[0].before.held_back.unwrap() + 2.0, "{:?}", r.targets[0]);
+    assert_eq!(r.targets[4].turns, 0);
+    assert!(r.targets[4].after.picture > r.targets[4].before.picture + 2.0, "{:?}", r.targets[4]);
+}
+
+#[test]
+fn a_wrong_pose_is_found_again() {
+    let truth = scene(150, 0.12, 1);
+    let mut targets = views(&truth, 3, 48);
+    let right = targets[0].camera;
+    let wrong = pose::moved(&right, [0.03, -0.02, 0.0, 0.004, 0.0, 0.02]);
+    targets[0].camera = wrong;
+    targets[0].refine_pose = true;
+    let mut options = Options { pose_from: 5, ..Options::scaled(150) };
+    options.rates.pose = 1e-3;
+    let trained = train(truth, &targets, &options, &Silent).unwrap();
+    let apart = |c: &Camera| (c.position() - right.position()).length();
+    assert!(apart(&trained.cameras[0]) < 0.6 * apart(&wrong), "{} {}", apart(&trained.cameras[0]), apart(&wrong));
+    assert_eq!(trained.cameras[1], targets[1].camera);
+}
+
+#[test]
+fn same_seed_same_bytes_whatever_the_threads() {
+    let (targets, start) = problem();
+    let mut options = Options { pose_from: 3, ..Options::scaled(40) };
+    options.density = Density { every: 8, from: 8, until: 40, gradient: 1e-6, growth: 0.3, ..options.density };
+    let run = |threads, seed| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let options = Options { seed, ..options };
+        pool.install(|| train(start.clone(), &targets, &options, &Silent).unwrap())
+    };
+    let (a, b, c, other) = (run(1, 7), run(2, 7), run(2, 7), run(2, 8));
+    assert!(a.report.gaussians_after > a.report.gaussians_before);
+    assert_eq!(a.gaussians, b.gaussians);
+    assert_eq!(b.gaussians, c.gaussians);
+    assert_eq!(a.cameras, b.cameras);
+    assert_ne!(a.gaussians, other.gaussians);
+}
+
+#[test]
+fn held_back_pixels_are_never_looked_at() {
+    let (mut targets, start) = problem();
+    let held: Vec<bool> = (0..48 * 48).map(|i| i % 48 > 24).collect();
+    targets[0].held_back = Some(held.clone());
+    let options = Options::scaled(20);
+    let a = train(start.clone(), &targets, &options, &Silent).unwrap();
+    for (i, h) in held.iter().enumerate() {
+        if *h {
+            targets[0].color[i] = [1.0, 0.0, 0.3];
+            targets[0].alpha[i] = 0.7;
+        }
+    }
+    let b = train(start, &targets, &options, &Silent).unwrap();
+    assert_eq!(a.gaussians, b.gaussians);
+}
+
+#[test]
+fn deadline_interrupt_and_wrong_sizes() {
+    let (mut targets, start) = problem();
+    let options = Options { deadline: Some(Instant::now() - Duration::from_millis(1)), ..Options::scaled(50) };
+    let late = train(start.clone(), &targets, &options, &Silent).unwrap();
+    assert!(late.report.stopped_by_deadline && late.report.iterations == 0);
+    assert_eq!(late.gaussians, start);
+
+    struct Stop;
+    impl Progress for Stop {
+        fn begin(&self, _: &'static str, _: u64) {}
+        fn step(&self, _: u64) {}
+        fn cancelled(&self) -> bool {
+            true
+        }
+    }
+    let stopped = train(start.clone(), &targets, &Options::scaled(50), &Stop).unwrap_err();
+    assert_eq!(stopped.kind, crate::Kind::Cancelled);
+    targets[2].alpha.pop();
+    let wrong = train(start, &targets, &Options::scaled(50), &Silent).unwrap_err();
+    assert!(wrong.to_string().contains("view 2") && wrong.to_string().contains("48 × 48"), "{wrong}");
+}
