@@ -175,7 +175,7 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, banner: &str) -> Result
         tile(preview::masked(&small, &r.subject.mask), "subject mask"),
         tile(preview::depth_colours(&r.subject.depth, &r.subject.mask), "relative depth"),
     ];
-    let six = r.six.iter().zip(views::AZIMUTHS).map(|((camera, f), azimuth)| {
+    let six = r.six.iter().zip(views::SIX_AZIMUTHS).map(|((camera, f), azimuth)| {
         let image = preview::from_floats(camera.width as usize, camera.height as usize, &f.color);
         tile(image, &format!("view {azimuth}"))
     });
@@ -185,15 +185,15 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, banner: &str) -> Result
     };
     let turned = (0..6).map(|i| {
         let azimuth = 60.0 * i as f32;
-        tile(draw(finest, &views::orbit(azimuth, 15.0, 384)), &format!("model {azimuth}"))
+        tile(draw(finest, &views::orbit(azimuth, 15.0, views::DISTANCE, 384)), &format!("model {azimuth}"))
     });
     let mut last = vec![
-        tile(draw(finest, &views::orbit(0.0, 89.0, 384)), "from above"),
-        tile(draw(finest, &views::orbit(0.0, -60.0, 384)), "from below"),
+        tile(draw(finest, &views::orbit(0.0, 89.0, views::DISTANCE, 384)), "from above"),
+        tile(draw(finest, &views::orbit(0.0, -60.0, views::DISTANCE, 384)), "from below"),
     ];
     for level in &r.model.levels {
         let caption = format!("{} vertices", level.mesh.positions.len());
-        last.push(tile(draw(level, &views::orbit(30.0, 20.0, 384)), &caption));
+        last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
     }
     preview::sheet(&[what, six.collect(), turned.collect(), last], banner)
 }

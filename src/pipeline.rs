@@ -5,18 +5,21 @@
 use std::time::{Duration, Instant};
 
 use crate::mesh::{self, Model};
-use crate::models::rten::Rten;
 use crate::models::scene::{self, Subject};
-use crate::models::splat_prior::{self, Prior};
+use crate::models::splat_prior::{self, OneView};
+use crate::models::{Engine, prior};
 use crate::photo::Photo;
 use crate::progress::Progress;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
 use crate::{Result, views};
 
-/// Pixels across the photo's crop in training.
-const PHOTO_SIZE: u32 = 512;
 /// Pixels across each of the six views.
 const VIEW_SIZE: u32 = 256;
+/// Names of the optimisation's targets in its report.
+pub const PHOTO: &str = "photo";
+pub const VIEW: &str = "view";
+pub const HELD_BACK: &str = "held back";
+
 const GREY: [f32; 3] = [0.5; 3];
 
 /// What decides a reconstruction, besides the photo.
@@ -41,7 +44,7 @@ pub struct Timing {
 /// Everything that came of one photo, in the unit frame (subject's bounding sphere of radius 1, Z up).
 pub struct Reconstruction {
     pub subject: Subject,
-    pub prior: Prior,
+    pub prior: OneView,
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
     pub report: Report,
@@ -53,25 +56,30 @@ pub struct Reconstruction {
 ///
 /// # Errors
 /// `Usage` for a photo without a subject, `Cancelled`.
-pub fn reconstruct(photo: &Photo, settings: &Settings, progress: &dyn Progress) -> Result<Reconstruction> {
+pub fn reconstruct(
+    photo: &Photo,
+    engine: &dyn Engine,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Reconstruction> {
     let mut clock = Clock::default();
     progress.begin("mask and depth", 0);
-    let engine = Rten;
-    let subject = scene::subject(&photo.pixels, &engine)?;
+    // Each network is loaded when its turn comes and gone before the next.
+    let subject = scene::subject(&photo.pixels, photo.cutout.as_ref(), &*engine.load(prior::SCENE.verified()?)?)?;
     clock.lap("mask and depth");
     progress.check()?;
 
     progress.begin("3D from one view", 0);
-    let prior = splat_prior::reconstruct(&photo.pixels, &subject, PHOTO_SIZE, &engine)?;
+    let one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
     clock.lap("3D from one view");
     progress.check()?;
 
     progress.begin("six views", 6);
-    let six = render_all(&prior.gaussians, &views::six(VIEW_SIZE), progress)?;
-    let between = render_all(&prior.gaussians, &views::between(VIEW_SIZE), progress)?;
+    let six = render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?;
+    let between = render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?;
     clock.lap("six views");
 
-    let trained = optimise(&prior, &six, &between, settings, progress)?;
+    let trained = optimise(&one_view, &six, &between, settings, progress)?;
     clock.lap("optimisation");
 
     let photo_camera = trained.cameras[0];
@@ -80,17 +88,17 @@ pub fn reconstruct(photo: &Photo, settings: &Settings, progress: &dyn Progress) 
         let frame = splat::render(&gaussians, camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
-    let seen = mesh::PhotoView { camera: photo_camera, color: &prior.crop_color, mask: &prior.crop_mask };
+    let seen = mesh::PhotoView { camera: photo_camera, color: &one_view.colour, mask: &one_view.mask.data };
     let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };
     let model = mesh::build(&render, Some(&seen), &options, progress)?;
     clock.lap("mesh and texture");
-    Ok(Reconstruction { subject, six, gaussians, report: trained.report, model, timings: clock.timings, prior })
+    Ok(Reconstruction { subject, six, gaussians, report: trained.report, model, timings: clock.timings, prior: one_view })
 }
 
 /// Targets: the photo (heaviest, pose refined, some pixels held back), the six views, and views between them that
 /// are measured but never trained on.
 fn optimise(
-    prior: &Prior,
+    prior: &OneView,
     six: &[(Camera, Frame)],
     between: &[(Camera, Frame)],
     settings: &Settings,
@@ -98,12 +106,12 @@ fn optimise(
 ) -> Result<splat::Trained> {
     let mut targets = vec![Target {
         camera: prior.camera,
-        color: prior.crop_color.clone(),
-        alpha: prior.crop_mask.clone(),
+        color: prior.colour.clone(),
+        alpha: prior.mask.data.clone(),
         weight: 1.0,
         refine_pose: true,
-        held_back: Some(held_back(PHOTO_SIZE as usize, settings.seed)),
-        name: "photo".into(),
+        held_back: Some(held_back(prior.mask.width, settings.seed)),
+        name: PHOTO.into(),
     }];
     let view = |name: String, (camera, frame): &(Camera, Frame), weight: f32| Target {
         camera: *camera,
@@ -114,8 +122,8 @@ fn optimise(
         held_back: None,
         name,
     };
-    targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("view {}", i + 1), v, 0.3)));
-    targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("held back {}", i + 1), v, 0.0)));
+    targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
+    targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
     let options = splat::Options {
         seed: settings.seed,
         deadline: settings.deadline,

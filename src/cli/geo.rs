@@ -21,7 +21,7 @@ use crate::audit::store_merge::{StoreLock, lock_store, merge_into_store};
 use crate::audit::time;
 use crate::export::{self, Labels, ToMetres};
 use crate::geo::{Extents, HeadingSource, Known, Placement, Scale, View, metres_per_unit, parse_origin};
-use crate::models::prior;
+use crate::models::{Engine, Rten, prior};
 use crate::photo::{self, Photo};
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
@@ -231,9 +231,10 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     if key.created && !args.quiet {
         eprintln!("orb: made a signing key in {}", data.path().display());
     }
-    let bytes = photo::read_file(&args.photo)?;
+    let limits = photo::Limits::default();
+    let bytes = read_photo(&args.photo, limits.file_bytes)?;
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let photo = photo::decode(&name, &bytes, &photo::Limits::default())?;
+    let photo = photo::decode(&name, &bytes, &limits)?;
 
     let mut random = [0u8; 18];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
@@ -256,7 +257,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         levels: args.lods.into(),
     };
     let bar = Bar::new(stop, args.quiet || args.json);
-    let done = pipeline::reconstruct(&photo, &settings, &bar)?;
+    let done = pipeline::reconstruct(&photo, &Rten, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();
@@ -330,6 +331,17 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     Ok(0)
 }
 
+/// The whole file, its size looked at first.
+fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
+    let size = std::fs::metadata(path).map_err(|e| Error::io(path, &e).advice("Check the photo's path."))?.len();
+    if size > limit {
+        return Err(Error::usage(path.display().to_string())
+            .expected(format!("a photo of at most {} MiB", limit >> 20))
+            .found(format!("{} MiB", size >> 20)));
+    }
+    std::fs::read(path).map_err(|e| Error::io(path, &e))
+}
+
 /// A store on disk, locked for this run.
 struct OpenStore {
     lock: StoreLock,
@@ -383,7 +395,7 @@ fn scale_of(photo: &Photo, done: &Reconstruction, plan: &Plan, camera_height: f6
         .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
     let view = View {
         elevation: done.prior.elevation,
-        crop_side: done.prior.crop.side,
+        crop_side: done.prior.crop.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),
         canonical_distance: crate::models::splat_prior::DISTANCE,
@@ -409,7 +421,7 @@ fn place(plan: &Plan, given: Option<f64>, photo: &Photo) -> Placement {
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 fn models() -> Vec<crate::audit::statement::Model> {
     let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| {
-        record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, concat!("rten ", "0.27"))
+        record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())
     });
     let mut all = Vec::from(built_in);
     all.extend(["sam2", "depth-anything-v2", "zero123pp", "gsplat", "colmap"].map(record::model_not_used));

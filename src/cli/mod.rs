@@ -25,8 +25,7 @@ enum Verb {
     /// Turn a photo into a placed, marked, sealed model.
     Geo(Box<geo::GeoArgs>),
     /// Verify and show records, make keys.
-    #[command(subcommand)]
-    Audit(audit::AuditCommand),
+    Audit(audit::AuditArgs),
 }
 
 /// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
@@ -47,7 +46,9 @@ pub fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
-        Verb::Audit(command) => audit::run(&command),
+        Verb::Audit(args) => {
+            DataFolder::from_environment(|name| std::env::var_os(name)).and_then(|data| audit::run(&args, &data)).map(show)
+        }
     };
     match done {
         Ok(code) => ExitCode::from(code),

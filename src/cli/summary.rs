@@ -9,7 +9,8 @@ use crate::audit::time::TimeReading;
 use crate::export::ToMetres;
 use crate::geo::{Placement, Scale};
 use crate::models::prior;
-use crate::pipeline::Reconstruction;
+use crate::pipeline::{self, Reconstruction};
+use crate::splat::train::{Quality, TargetReport};
 use crate::{Error, Result};
 
 pub struct Summary<'a> {
@@ -76,17 +77,35 @@ pub fn text(s: &Summary) -> String {
     out
 }
 
+/// PSNR before and after the optimisation, dB.
+type Pair = (f32, f32);
+
+/// Of the photo inside its mask, of the photo's held-back pixels, of the six views trained on, of the held-back views
+/// between them (means).
+fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
+    let of = |select: &dyn Fn(&TargetReport) -> bool, value: &dyn Fn(&Quality) -> Option<f32>| {
+        let mean = |pick: &dyn Fn(&TargetReport) -> Quality| {
+            let all: Vec<f32> =
+                done.report.targets.iter().filter(|t| select(t)).filter_map(|t| value(&pick(t))).collect();
+            all.iter().sum::<f32>() / all.len().max(1) as f32
+        };
+        (mean(&|t| t.before), mean(&|t| t.after))
+    };
+    let photo = |t: &TargetReport| t.name == pipeline::PHOTO;
+    [
+        ("photo", of(&photo, &|q| Some(q.subject))),
+        ("photo_held_back", of(&photo, &|q| q.held_back)),
+        ("six_views", of(&|t| t.name.starts_with(pipeline::VIEW), &|q| Some(q.picture))),
+        ("held_back_views", of(&|t| t.name.starts_with(pipeline::HELD_BACK), &|q| Some(q.picture))),
+    ]
+}
+
 /// PSNR before → after, of what was trained on and of what was held back.
 fn quality(done: &Reconstruction) -> String {
-    let r = &done.report;
-    let pair = |name: &str, p: (f32, f32)| format!("{name} {:.1} → {:.1} dB", p.0, p.1);
-    [
-        pair("photo", r.photo()),
-        pair("its held-back pixels", r.photo_held_back()),
-        pair("six views", r.trained_views()),
-        pair("held-back views", r.held_back_views()),
-    ]
-    .join(", ")
+    let words = qualities(done).map(|(name, (before, after))| {
+        format!("{} {before:.1} → {after:.1} dB", name.replace('_', " "))
+    });
+    words.join(", ")
 }
 
 /// The object of `--json`.
@@ -108,8 +127,10 @@ pub fn json(s: &Summary) -> Result<String> {
         .chain([serde_json::json!({"name": "writing and sealing", "seconds": s.writing.as_secs_f64()})])
         .collect();
     let o = &s.placement.origin;
-    let r = &s.done.report;
-    let pair = |p: (f32, f32)| serde_json::json!({"before": p.0, "after": p.1});
+    let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
+        .into_iter()
+        .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
+        .collect();
     let object = serde_json::json!({
         "folder": s.published.folder.display().to_string(),
         "outputs": outputs,
@@ -123,10 +144,7 @@ pub fn json(s: &Summary) -> Result<String> {
             "heading_deg": s.placement.heading, "heading_source": s.placement.heading_source.label(),
         },
         "scale": {"metres_per_unit": s.scale.metres_per_unit, "source": s.scale.source.label()},
-        "psnr_db": {
-            "photo": pair(r.photo()), "photo_held_back": pair(r.photo_held_back()),
-            "six_views": pair(r.trained_views()), "held_back_views": pair(r.held_back_views()),
-        },
+        "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),
         "record": {
