@@ -173,6 +173,9 @@ fn check_flt(
             add(2, format!("the texture path {texture} should be {expected}"));
         }
     }
+    for finding in openflight::check(bytes) {
+        add(6, finding);
+    }
     // Volume 6, Requirement 1, and the header fields of its §6.1.
     let field = |at: usize| bytes.get(at..at + 4).and_then(|b| b.first_chunk().copied()).map(i32::from_be_bytes);
     for (at, expected, what) in [(12, 1600, "format revision"), (92, 0, "projection"), (268, 0, "ellipsoid")] {

@@ -15,7 +15,7 @@ use crate::Result;
 ///
 /// Rules: 1 every feature's model and descriptor exist, and every model has its feature; 2 textures exist with their mips,
 /// powers of two, SGI; 3 the feature pyramid is complete, tiles within their point limit; 4 MLOD agrees with the tile;
-/// 5 significant sizes and vertex counts agree with the LOD; 6 OpenFlight header, zone and bounding box; 7 origin and
+/// 5 significant sizes and vertex counts agree with the LOD; 6 OpenFlight structure, header, zone and bounding box; 7 origin and
 /// ground; 8 feature sizes match the geometry, 0 ≤ AO1 < 360; 9 material indices resolve; 10 archives; 11 names and
 /// folders; 12 XML files.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
