@@ -113,9 +113,10 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
     let stem = &labels.stem;
     let coarsest_first = to_metres.levels(levels);
     let turned: Vec<orb_formats::Mesh> = coarsest_first.iter().map(|l| to_north(&l.mesh, placement.heading)).collect();
-    let center = turned.last().and_then(orb_formats::Mesh::bounds).map_or([0.0; 3], |(low, high)| {
-        std::array::from_fn(|i| (low[i] + high[i]) / 2.0)
-    });
+    let center = turned
+        .last()
+        .and_then(orb_formats::Mesh::bounds)
+        .map_or([0.0; 3], |(low, high)| std::array::from_fn(|i| (low[i] + high[i]) / 2.0));
     let mut files = Vec::new();
     let mut model = openflight::Model {
         name: stem.clone(),
@@ -180,9 +181,8 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, banner: &str) -> Result
         tile(image, &format!("view {azimuth}"))
     });
     let finest = &r.model.levels[0];
-    let draw = |level: &Level, camera: &Camera| {
-        mesh::raster(&level.mesh, Some(&level.texture), camera, [255, 255, 255], 2)
-    };
+    let draw =
+        |level: &Level, camera: &Camera| mesh::raster(&level.mesh, Some(&level.texture), camera, [255, 255, 255], 2);
     let turned = (0..6).map(|i| {
         let azimuth = 60.0 * i as f32;
         tile(draw(finest, &views::orbit(azimuth, 15.0, views::DISTANCE, 384)), &format!("model {azimuth}"))

@@ -92,7 +92,15 @@ pub fn reconstruct(
     let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };
     let model = mesh::build(&render, Some(&seen), &options, progress)?;
     clock.lap("mesh and texture");
-    Ok(Reconstruction { subject, six, gaussians, report: trained.report, model, timings: clock.timings, prior: one_view })
+    Ok(Reconstruction {
+        subject,
+        six,
+        gaussians,
+        report: trained.report,
+        model,
+        timings: clock.timings,
+        prior: one_view,
+    })
 }
 
 /// Targets: the photo (heaviest, pose refined, some pixels held back), the six views, and views between them that

@@ -89,7 +89,8 @@ fn publishes_verifies_and_leaves_no_staging() {
         std::fs::read_dir(published()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     assert_eq!(top, ["out"]);
     let out = published().join("out");
-    for name in ["scene.ply", "preview.png", "orb-record.dsse.json", "smart_car.flt", "smart_car.cdb/Metadata/Version.xml"]
+    for name in
+        ["scene.ply", "preview.png", "orb-record.dsse.json", "smart_car.flt", "smart_car.cdb/Metadata/Version.xml"]
     {
         assert!(out.join(name).is_file(), "{name} is missing");
     }
@@ -183,7 +184,8 @@ fn a_folder_that_is_in_use_is_left_alone() {
     let dir = tempfile::tempdir().unwrap();
     let mine = dir.path().join("mine.txt");
     std::fs::write(&mine, "mine").unwrap();
-    let done = geo(&samples().join("smart_car.jpg"), &["-o", dir.path().to_str().unwrap(), "--replace"]).output().unwrap();
+    let done =
+        geo(&samples().join("smart_car.jpg"), &["-o", dir.path().to_str().unwrap(), "--replace"]).output().unwrap();
     assert_eq!(done.status.code(), Some(2), "{}", text(&done));
     assert_eq!(tree(dir.path()), [(mine, b"mine".to_vec())]);
 }
@@ -198,7 +200,8 @@ fn a_full_disk_is_an_error_that_leaves_nothing() {
         env!("CARGO_BIN_EXE_orb"),
         samples().join("smart_car.jpg").display(),
     );
-    let Ok(done) = Command::new("unshare").args(["-m", "sh", "-c", &script]).env("ORB_DATA_DIR", data()).output() else {
+    let Ok(done) = Command::new("unshare").args(["-m", "sh", "-c", &script]).env("ORB_DATA_DIR", data()).output()
+    else {
         return skip("no unshare");
     };
     if matches!(done.status.code(), Some(77 | 1)) && !text(&done).contains("orb:") {
@@ -234,7 +237,9 @@ fn an_interrupt_leaves_nothing() {
         let status = loop {
             match child.try_wait().unwrap() {
                 Some(status) => break status,
-                None if began.elapsed() > Duration::from_secs(60) => panic!("still running a minute after the interrupt"),
+                None if began.elapsed() > Duration::from_secs(60) => {
+                    panic!("still running a minute after the interrupt")
+                }
                 None => std::thread::sleep(Duration::from_millis(50)),
             }
         };
@@ -290,7 +295,9 @@ fn same_seed_same_bytes() {
     let run = || {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
-        let done = geo(&samples().join("shipping_container.jpg"), &["--seed", "5", "-o", out.to_str().unwrap()]).output().unwrap();
+        let done = geo(&samples().join("shipping_container.jpg"), &["--seed", "5", "-o", out.to_str().unwrap()])
+            .output()
+            .unwrap();
         assert!(done.status.success(), "{}", text(&done));
         let read = |name: &str| std::fs::read(out.join(name)).unwrap();
         // The store's tables carry the day; what is free of the clock must be equal.

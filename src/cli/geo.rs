@@ -204,9 +204,9 @@ fn feature_code(text: &str) -> Result<(String, u16)> {
         && code.bytes().skip(2).all(|b| b.is_ascii_digit());
     match sub.parse::<u16>() {
         Ok(sub) if good && sub <= 999 => Ok((code.to_owned(), sub)),
-        _ => Err(Error::usage("--facc")
-            .expected("a feature code such as UA005 or AL015/016")
-            .found(format!("`{text}`"))),
+        _ => {
+            Err(Error::usage("--facc").expected("a feature code such as UA005 or AL015/016").found(format!("`{text}`")))
+        }
     }
 }
 
@@ -420,9 +420,8 @@ fn place(plan: &Plan, given: Option<f64>, photo: &Photo) -> Placement {
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 fn models() -> Vec<crate::audit::statement::Model> {
-    let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| {
-        record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())
-    });
+    let built_in = [&prior::SCENE, &prior::SPLAT]
+        .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name()));
     let mut all = Vec::from(built_in);
     all.extend(["sam2", "depth-anything-v2", "zero123pp", "gsplat", "colmap"].map(record::model_not_used));
     all

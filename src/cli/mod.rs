@@ -11,6 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Parser, Subcommand};
 
+use crate::audit::DataFolder;
+
 /// One photo becomes a 3D model that a simulator loads at the right place on the Earth, with a marking, a signed
 /// record and no network.
 #[derive(Parser)]
@@ -46,9 +48,9 @@ pub fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
-        Verb::Audit(args) => {
-            DataFolder::from_environment(|name| std::env::var_os(name)).and_then(|data| audit::run(&args, &data)).map(show)
-        }
+        Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
+            .and_then(|data| audit::run(&args, &data))
+            .map(show),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -57,4 +59,9 @@ pub fn main() -> ExitCode {
             ExitCode::from(e.kind.exit_code())
         }
     }
+}
+
+fn show(outcome: audit::Outcome) -> u8 {
+    print!("{}", outcome.text);
+    outcome.exit_code
 }

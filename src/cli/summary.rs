@@ -102,9 +102,8 @@ fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
 
 /// PSNR before → after, of what was trained on and of what was held back.
 fn quality(done: &Reconstruction) -> String {
-    let words = qualities(done).map(|(name, (before, after))| {
-        format!("{} {before:.1} → {after:.1} dB", name.replace('_', " "))
-    });
+    let words = qualities(done)
+        .map(|(name, (before, after))| format!("{} {before:.1} → {after:.1} dB", name.replace('_', " ")));
     words.join(", ")
 }
 
@@ -131,13 +130,14 @@ pub fn json(s: &Summary) -> Result<String> {
         .into_iter()
         .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
         .collect();
+    let models = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
     let object = serde_json::json!({
         "folder": s.published.folder.display().to_string(),
         "outputs": outputs,
         "stages": stages,
         "seconds": s.total.as_secs_f64(),
         "peak_memory_bytes": peak_memory(),
-        "models": [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256})),
+        "models": models,
         "device": "cpu",
         "georeference": {
             "latitude": o.latitude, "longitude": o.longitude, "ellipsoidal_height_m": o.height,
