@@ -7,6 +7,7 @@
 //! | OpenFlight | a Comment record (opcode 31) of the Header, before the first push |
 //! | XML | `CLASSIFICATION: …` in any text, such as the `Comment` of a CDB's Version.xml |
 //! | SGI image | the image name of its header |
+//! | ZIP | the archive comment |
 //! | `orb-marking.json` | its `banner` |
 //!
 //! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
@@ -41,7 +42,8 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "png" => (png(bytes), true),
         "flt" => (openflight(bytes), true),
         "xml" => (lines_in(bytes), file == "Version.xml"),
-        "rgb" | "sgi" => (lines_in(bytes.get(24..104).unwrap_or_default()), false),
+        "rgb" | "sgi" => (words_in(bytes.get(24..104).unwrap_or_default()), false),
+        "zip" => (words_in(zip_comment(bytes)), false),
         "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
         _ => return Carried::NoCarrier,
     };
@@ -62,6 +64,17 @@ pub fn mismatch(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
         }
         Carried::Nothing { required: true } => Some("no marking inside".into()),
         Carried::Nothing { required: false } | Carried::NoCarrier => None,
+    }
+}
+
+/// The same for a file that others share, such as an archive of a store, which gathers the markings of all that was
+/// ever put into it: this one must be among them.
+pub fn mismatch_in_store(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
+    match read(name, bytes) {
+        Carried::Banners(banners) if !banners.iter().any(|b| b == marking.banner()) => {
+            Some(format!("{LINE_PREFIX}{}", banners.join(", ")))
+        }
+        _ => None,
     }
 }
 
@@ -117,12 +130,7 @@ fn openflight(bytes: &[u8]) -> Vec<String> {
         }
         let Some(record) = rest.get(..length) else { break };
         if opcode == 31 {
-            let text = record[4..].split(|b| *b == 0).next().unwrap_or_default();
-            let whole = String::from_utf8_lossy(text);
-            match Marking::parse(whole.trim()) {
-                Ok(level) => found.push(level.banner().to_owned()),
-                Err(_) => found.extend(lines_in(text)),
-            }
+            found.extend(words_in(&record[4..]));
         }
         first = false;
         rest = &rest[length..];
@@ -130,17 +138,33 @@ fn openflight(bytes: &[u8]) -> Vec<String> {
     found
 }
 
-/// Every `CLASSIFICATION: …` up to the end of its line, string or element.
+/// The end-of-central-directory record's comment (ZIP application note 6.3, §4.3.16).
+fn zip_comment(bytes: &[u8]) -> &[u8] {
+    let window = &bytes[bytes.len().saturating_sub(22 + 0xffff)..];
+    let end = window.windows(22).rposition(|w| w.starts_with(b"PK\x05\x06"));
+    end.map_or(&[], |at| &window[at + 22..])
+}
+
+/// Markings in a short field: whole lines or element texts that are a banner, and every `CLASSIFICATION: …`.
+fn words_in(bytes: &[u8]) -> Vec<String> {
+    let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
+    let plain = text.split(|b| b"\n\r<>".contains(b)).filter_map(|word| {
+        let word = std::str::from_utf8(word).ok()?.trim();
+        Marking::parse(word).is_ok().then(|| word.to_owned())
+    });
+    plain.chain(lines_in(text)).collect()
+}
+
+/// What follows every `CLASSIFICATION: `, as far as a banner's own characters go.
 fn lines_in(bytes: &[u8]) -> Vec<String> {
     let prefix = LINE_PREFIX.as_bytes();
     let mut found = Vec::new();
-    let mut at = 0;
-    while let Some(i) = bytes[at..].windows(prefix.len()).position(|w| w == prefix) {
-        let text = &bytes[at + i + prefix.len()..];
-        let end = text.iter().position(|b| b"\n\r\0<>\"',;".contains(b)).unwrap_or(text.len());
-        let banner = String::from_utf8_lossy(&text[..end.min(256)]);
-        found.push(banner.trim().trim_end_matches(['.', '-']).trim_end().to_owned());
-        at += i + prefix.len();
+    let mut rest = bytes;
+    while let Some(at) = rest.windows(prefix.len()).position(|w| w == prefix) {
+        rest = &rest[at + prefix.len()..];
+        let in_banner = |b: &u8| b.is_ascii_uppercase() || b.is_ascii_digit() || b" /,-".contains(b);
+        let banner: Vec<u8> = rest.iter().copied().take(256).take_while(in_banner).collect();
+        found.push(String::from_utf8_lossy(&banner).trim_end_matches([' ', ',', '-']).to_owned());
     }
     found
 }
@@ -207,7 +231,7 @@ mod tests {
     fn carriers() {
         let line = Marking::Secret.line();
         let ply = format!("ply\nformat ascii 1.0\ncomment {line}\nend_header\ncomment CLASSIFICATION: CUI\n");
-        let version = format!("<Version><Comment>made by Orb. {line}</Comment></Version>");
+        let version = format!("<Version><Comment>{line}. Made by Orb</Comment></Version>");
         let mut sgi = vec![0; 600];
         sgi[24..24 + line.len()].copy_from_slice(line.as_bytes());
         let flt = |comment: &str| {
@@ -219,11 +243,16 @@ mod tests {
             ]
             .concat()
         };
-        let xml_comment = flt("<Orb:Marking>CLASSIFICATION: SECRET</Orb:Marking>");
+        let xml_comment = flt("<orb:Marking xmlns:orb=\"urn:orb:marking\" comment=\"van\">SECRET</orb:Marking>");
+        let mut zip = b"PK\x05\x06".to_vec();
+        zip.extend([0; 18]);
+        zip.extend(line.as_bytes());
         for (name, bytes) in [
             ("s.ply", ply.as_bytes()),
             ("X.cdb/Metadata/Version.xml", version.as_bytes()),
+            ("s.xsd.xml", format!("<!-- {line} --><x/>").as_bytes()),
             ("t.rgb", &sgi),
+            ("t.zip", &zip),
             ("m.flt", &flt(&line)),
             ("m.flt", &flt("SECRET")),
             ("m.FLT", &xml_comment),
@@ -244,9 +273,20 @@ mod tests {
     }
 
     #[test]
+    fn a_shared_archive_gathers_markings() {
+        let mut zip = b"PK\x05\x06".to_vec();
+        zip.extend([0; 18]);
+        zip.extend(b"CLASSIFICATION: CUI\nUNCLASSIFIED");
+        assert!(mismatch("a.zip", &zip, Marking::Cui).is_some());
+        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Cui), None);
+        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Unclassified), None);
+        assert!(mismatch_in_store("a.zip", &zip, Marking::Secret).is_some());
+    }
+
+    #[test]
     fn nothing_but_bytes() {
         for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n\xff\xff\xff\xff", &[0, 1, 0, 2], &[0, 1, 255, 255], &[0xff; 64]] {
-            for name in ["a.png", "a.flt", "a.ply", "a.xml", "a.rgb"] {
+            for name in ["a.png", "a.flt", "a.ply", "a.xml", "a.rgb", "a.zip"] {
                 assert!(matches!(read(name, bytes), Carried::Nothing { .. }), "{name}");
             }
         }

@@ -80,12 +80,12 @@ pub(super) fn add(data: &DataFolder, key: &PublicKey) -> Result<()> {
         return Ok(());
     }
     // Written under another name first, so that a second run never reads half a key.
-    let draft = folder.join(format!(".{}.{}", key.fingerprint(), std::process::id()));
-    let thread_draft = draft.with_extension(format!("{:?}", std::thread::current().id()));
+    let thread = format!("{:?}", std::thread::current().id()).replace(['(', ')'], "-");
+    let draft = folder.join(format!(".{}.{}.{thread}", key.fingerprint(), std::process::id()));
     let disk = Disk::default();
-    disk.write_new(&thread_draft, key.to_pem().as_bytes())?;
-    disk.rename(&thread_draft, &path).inspect_err(|_| {
-        let _ = fs::remove_file(&thread_draft);
+    disk.write_new(&draft, key.to_pem().as_bytes())?;
+    disk.rename(&draft, &path).inspect_err(|_| {
+        let _ = fs::remove_file(&draft);
     })
 }
 

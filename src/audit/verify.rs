@@ -386,9 +386,13 @@ fn check_output(
     if let Some(marking) = marking
         && inband::has_carrier(name)
         && size <= MAX_INBAND_BYTES
-        && let Some(actual) = inband::mismatch(name, &disk::read_limited(&path, MAX_INBAND_BYTES)?, marking)
     {
-        found.push(Finding::new("MARKING_INBAND_MISMATCH", &subject.name).expected(marking.line()).actual(actual));
+        let bytes = disk::read_limited(&path, MAX_INBAND_BYTES)?;
+        let shared = subject.name.starts_with(STORE_PREFIX);
+        let compare = if shared { inband::mismatch_in_store } else { inband::mismatch };
+        if let Some(actual) = compare(name, &bytes, marking) {
+            found.push(Finding::new("MARKING_INBAND_MISMATCH", &subject.name).expected(marking.line()).actual(actual));
+        }
     }
     Ok(())
 }
