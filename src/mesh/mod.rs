@@ -15,10 +15,12 @@ pub mod fuse;
 pub mod levels;
 pub mod pack;
 pub mod raster;
+pub mod relax;
 pub mod simplify;
 pub mod smooth;
 pub mod unwrap;
 
+#[cfg(test)]
 #[cfg(test)]
 mod scenes;
 
