@@ -21,7 +21,6 @@ pub mod smooth;
 pub mod unwrap;
 
 #[cfg(test)]
-#[cfg(test)]
 mod scenes;
 
 use crate::progress::Progress;
