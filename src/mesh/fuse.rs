@@ -248,14 +248,19 @@ mod tests {
     }
 
     #[test]
-    fn sphere_distances_are_signed_and_near_the_truth() {
+    fn the_zero_surface_of_a_ball_is_where_the_ball_is() {
         let volume = fused(&scenes::sphere(0.7));
-        for direction in super::super::fibonacci_sphere(50) {
-            for r in [0.66f32, 0.7, 0.74] {
-                let found = volume.sample(direction * r);
-                let truth = r - 0.7 - SHEET * volume.voxel;
-                assert!((found - truth).abs() < 0.6 * volume.voxel, "{found} for {truth}, voxel {}", volume.voxel);
+        let voxel = volume.voxel;
+        for direction in super::super::fibonacci_sphere(100) {
+            let at = |r: f32| volume.sample(direction * r);
+            assert!(at(0.7 - 1.5 * voxel) < 0.0 && at(0.7 + 1.5 * voxel + SHEET * voxel) > 0.0);
+            let (mut inside, mut outside) = (0.6, 0.8);
+            while outside - inside > 1e-4 {
+                let middle = (inside + outside) / 2.0;
+                if at(middle) < 0.0 { inside = middle } else { outside = middle }
             }
+            let truth = 0.7 + SHEET * voxel;
+            assert!((inside - truth).abs() < 0.6 * voxel, "{inside} for {truth}, voxel {voxel}");
         }
         assert!(volume.sample(Vec3::ZERO) < 0.0);
     }

@@ -6,7 +6,7 @@ use super::extract::extract;
 use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::taubin;
-use super::unwrap::{Chart, assemble, charts, split_count};
+use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
 use super::{
     Level, Mesh, Model, Options, PhotoView, Surface, VIEW_DISTANCE, VIEW_FOV, View, clean, fibonacci_sphere, pack,
     rendered,
@@ -149,8 +149,11 @@ fn fit(
         if simplifier.vertices_left() > target.max(4) {
             continue;
         }
-        let surface = simplifier.surface();
-        let charts = charts(&surface, texels);
+        let mut surface = simplifier.surface();
+        if let Some(ground) = solid.ground {
+            stand_on(&mut surface, ground, solid.volume.voxel);
+        }
+        let charts = charts(&surface, if cap > 1024 { &FLAT } else { &ROUND }, texels);
         let count = split_count(&surface, &charts);
         if count <= cap {
             return Ok((surface, charts));
@@ -158,6 +161,15 @@ fn fit(
         target = (simplifier.vertices_left() * cap / count).min(simplifier.vertices_left() - 1);
         if target < 4 {
             return Err(Error::usage("vertex cap").expected("room for the seams").found(format!("{cap} vertices")));
+        }
+    }
+}
+
+/// Nothing below the ground, and what is within a voxel of it on it.
+fn stand_on(surface: &mut Surface, ground: f32, voxel: f32) {
+    for p in &mut surface.positions {
+        if p.z < ground + voxel {
+            p.z = ground;
         }
     }
 }
@@ -389,7 +401,7 @@ mod tests {
         let error = build(&|c| scenes::empty().render(c), None, &options, &Silent).unwrap_err();
         assert!(error.to_string().contains("subject"), "{error}");
         for scene in
-            [scenes::sphere(0.03), scenes::sphere(0.005), scenes::boxed(0.9, 0.9, 0.0005), scenes::sphere(1.05)]
+            [scenes::sphere(0.03), scenes::sphere(0.005), scenes::boxed(0.7, 0.7, 0.0005), scenes::sphere(1.05)]
         {
             match build(&|c| scene.render(c), None, &options, &Silent) {
                 Ok(model) => check(&model, &options),

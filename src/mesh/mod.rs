@@ -15,6 +15,7 @@ pub mod fuse;
 pub mod levels;
 pub mod pack;
 pub mod raster;
+pub mod relax;
 pub mod simplify;
 pub mod smooth;
 pub mod unwrap;

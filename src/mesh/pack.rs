@@ -3,6 +3,7 @@
 use super::unwrap::{Chart, cells_inside};
 use crate::{Error, Result};
 use glam::Vec2;
+use rayon::prelude::*;
 
 /// Texels kept free around each chart; two neighbours are twice as far apart.
 pub const PADDING: f32 = 1.5;
@@ -34,6 +35,9 @@ impl Bits {
     }
     fn get(&self, x: usize, y: usize) -> bool {
         self.rows[y * self.words + x / 64] >> (x % 64) & 1 == 1
+    }
+    fn count(&self) -> usize {
+        self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
     fn transposed(&self) -> Bits {
         let mut out = Bits::new(self.height, self.width);
@@ -152,23 +156,60 @@ struct Place {
     turned: bool,
 }
 
+/// Largest first by different notions of large, then slightly shuffled: a bad start rarely stays bad in all of them.
+fn orders(shapes: &[&Bits]) -> Vec<Vec<usize>> {
+    let mut state = 0x2545_f491_u32;
+    (0..12)
+        .map(|attempt| {
+            let mut order: Vec<(f32, usize)> = shapes
+                .iter()
+                .enumerate()
+                .map(|(i, s)| {
+                    let (w, h) = (s.width as f32, s.height as f32);
+                    let large = match attempt % 4 {
+                        0 => w.max(h),
+                        1 => (w * h).sqrt(),
+                        2 => w.min(h),
+                        _ => w + h,
+                    };
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    let noise = if attempt < 4 { 0.0 } else { (state >> 8) as f32 / (1 << 24) as f32 };
+                    (large * (1.0 + 0.5 * noise), i)
+                })
+                .collect();
+            order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            order.into_iter().map(|(_, i)| i).collect()
+        })
+        .collect()
+}
+
 fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<Place>> {
+    let shapes: Vec<[Bits; 2]> = charts
+        .iter()
+        .map(|c| {
+            let upright = outline(c, scale, cell);
+            let turned = upright.transposed();
+            [upright, turned]
+        })
+        .collect();
+    let upright: Vec<&Bits> = shapes.iter().map(|s| &s[0]).collect();
     let cells = (size as f32 / cell) as usize;
+    if upright.iter().map(|s| s.count()).sum::<usize>() > cells * cells {
+        return None;
+    }
+    orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells, cell))
+}
+
+fn place_in_order(shapes: &[[Bits; 2]], order: &[usize], cells: usize, cell: f32) -> Option<Vec<Place>> {
     let mut atlas = Bits::new(cells, cells);
-    let shapes: Vec<Bits> = charts.iter().map(|c| outline(c, scale, cell)).collect();
-    let mut order: Vec<usize> = (0..charts.len()).collect();
-    let extent = |i: usize| shapes[i].width.max(shapes[i].height);
-    order.sort_by_key(|&i| (std::cmp::Reverse((extent(i), shapes[i].width * shapes[i].height)), i));
-    let mut places = vec![Place::default(); charts.len()];
-    for i in order {
-        let turned = shapes[i].transposed();
-        let upright = atlas.place(&shapes[i]);
-        let lying = atlas.place(&turned);
+    let mut places = vec![Place::default(); shapes.len()];
+    for &i in order {
+        let [upright, turned] = &shapes[i];
+        let [a, b] = [atlas.place(upright), atlas.place(turned)];
         // The one that ends lower.
         let top = |p: Option<(usize, usize)>, shape: &Bits| p.map_or(usize::MAX, |(_, y)| y + shape.height);
-        let take_turned = top(lying, &turned) < top(upright, &shapes[i]);
-        let shape = if take_turned { &turned } else { &shapes[i] };
-        let (x, y) = if take_turned { lying? } else { upright? };
+        let take_turned = top(b, turned) < top(a, upright);
+        let (shape, (x, y)) = if take_turned { (turned, b?) } else { (upright, a?) };
         atlas.add(shape, x, y);
         places[i] = Place { at: Vec2::new(x as f32, y as f32) * cell, turned: take_turned };
     }
@@ -202,12 +243,11 @@ mod tests {
     fn charts_fit_apart_and_use_the_texture() {
         for (scene, least) in [(scenes::boxed(0.6, 0.4, 0.3), 0.6), (scenes::car(), 0.55), (scenes::sphere(0.9), 0.6)] {
             let surface = scenes::sampled(&scene, 48);
-            let charts = unwrap::charts(&surface, 4e5);
+            let charts = unwrap::charts(&surface, &unwrap::FLAT, 4e5);
             for size in [128u32, 512, 1024] {
                 let atlas = pack(&charts, size).unwrap();
                 let n = size as usize;
                 let mut owner = vec![u32::MAX; n * n];
-                let mut used = 0;
                 for (c, faces) in atlas.uv.iter().enumerate() {
                     for t in faces {
                         assert!(t.iter().all(|p| p.min_element() > 0.0 && p.max_element() < 1.0));
@@ -217,12 +257,11 @@ mod tests {
                             assert!(*slot == u32::MAX || *slot == c as u32, "charts closer than 2 texels");
                             *slot = c as u32;
                         });
-                        used += ((t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0) as usize;
                     }
                 }
                 let area: f32 =
                     atlas.uv.iter().flatten().map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
-                assert!(size < 512 || area >= least, "{area} of {size}² for {} charts, {used}", charts.len());
+                assert!(size < 512 || area >= least, "{area} of {size}² for {} charts", charts.len());
             }
         }
     }

@@ -1,8 +1,9 @@
-//! Charts: groups of faces that look one way, each laid flat along its mean normal.
+//! Charts: groups of faces that look one way, each laid flat.
 //!
 //! Faces are merged greedily (hierarchical face clustering, Garland, Willmott & Heckbert 2001) by how far their normals
 //! spread and how ragged the outline gets. A chart whose flat picture overlaps itself is cut in two.
 
+use super::relax::relax;
 use super::smooth::corner_angle;
 use super::{Mesh, Surface, cross};
 use glam::{Vec2, Vec3};
@@ -19,14 +20,24 @@ pub struct Chart {
     pub size: Vec2,
 }
 
-/// Mean cosine between a chart's faces and its axis must not fall below 1 − `SPREAD`.
-const SPREAD: f32 = 0.18;
-/// No face leans further from its chart's axis than this cosine.
-const LEAN: f32 = 0.3;
-/// Charts smaller than this share of the area may lean this much to find a home.
-const SMALL: f32 = 0.004;
-const SMALL_LEAN: f32 = 0.1;
-const SMALL_SPREAD: f32 = 0.45;
+/// How far a chart may bend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bend {
+    /// Mean cosine between a chart's faces and its axis must not fall below 1 − `spread`.
+    spread: f32,
+    /// No face leans further from its chart's axis than this cosine.
+    lean: f32,
+    /// Charts smaller than this share of the area may bend further to find a home.
+    small: f32,
+    small_spread: f32,
+    small_lean: f32,
+}
+
+/// For meshes of thousands of vertices: hardly any stretch.
+pub const FLAT: Bend = Bend { spread: 0.18, lean: 0.3, small: 0.004, small_spread: 0.45, small_lean: 0.1 };
+/// For meshes of few vertices, which seams would eat up: up to half a ball in one chart.
+pub const ROUND: Bend = Bend { spread: 0.42, lean: 0.12, small: 0.03, small_spread: 0.6, small_lean: 0.03 };
+
 /// Raggedness beside spread.
 const OUTLINE: f32 = 0.01;
 
@@ -41,17 +52,17 @@ struct Cluster {
 }
 
 /// A chart number for each face, 0..n without gaps.
-fn cluster(surface: &Surface) -> Vec<u32> {
+fn cluster(surface: &Surface, bend: &Bend) -> Vec<u32> {
     let mut clusters = faces_as_clusters(surface);
     let total: f32 = clusters.iter().map(|c| c.area).sum();
     let unit_normals: Vec<Vec3> =
         surface.triangles.iter().map(|t| cross(&surface.positions, t).normalize_or_zero()).collect();
     for small_only in [false, true] {
-        let (spread, lean) = if small_only { (SMALL_SPREAD, SMALL_LEAN) } else { (SPREAD, LEAN) };
+        let (spread, lean) = if small_only { (bend.small_spread, bend.small_lean) } else { (bend.spread, bend.lean) };
         let allowed = |a: &Cluster, b: &Cluster| {
             let normal = a.normal + b.normal;
             let area = a.area + b.area;
-            if small_only && a.area.min(b.area) > SMALL * total {
+            if small_only && a.area.min(b.area) > bend.small * total {
                 return false;
             }
             let Some(axis) = normal.try_normalize() else { return false };
@@ -177,8 +188,8 @@ fn merge_all(clusters: &mut [Cluster], allowed: impl Fn(&Cluster, &Cluster) -> b
 /// Cuts a closed or open surface into charts that do not overlap themselves when laid flat.
 ///
 /// `resolution`: about how many texels the whole area will get; how fine overlaps are looked for.
-pub fn charts(surface: &Surface, resolution: f32) -> Vec<Chart> {
-    let chart_of = cluster(surface);
+pub fn charts(surface: &Surface, bend: &Bend, resolution: f32) -> Vec<Chart> {
+    let chart_of = cluster(surface, bend);
     let count = chart_of.iter().max().map_or(0, |m| *m as usize + 1);
     let mut groups = vec![Vec::new(); count];
     for (f, &c) in chart_of.iter().enumerate() {
@@ -186,8 +197,15 @@ pub fn charts(surface: &Surface, resolution: f32) -> Vec<Chart> {
     }
     let texel = (surface.area() as f32 / resolution.max(1.0)).sqrt().max(1e-9);
     let mut result = Vec::new();
-    while let Some(faces) = groups.pop() {
-        let chart = flatten(surface, faces);
+    while let Some(mut faces) = groups.pop() {
+        faces.sort_unstable();
+        let projected = project(surface, &faces);
+        let relaxed = relax(surface, &faces, &projected).map(|flat| boxed(&faces, flat));
+        if let Some(chart) = relaxed.filter(|c| overlap(c, texel).is_none()) {
+            result.push(chart);
+            continue;
+        }
+        let chart = boxed(&faces, projected);
         match overlap(&chart, texel) {
             Some(sides) => groups.extend(cut(surface, &chart, sides)),
             None => result.push(chart),
@@ -197,36 +215,35 @@ pub fn charts(surface: &Surface, resolution: f32) -> Vec<Chart> {
     result
 }
 
-fn flatten(surface: &Surface, mut faces: Vec<u32>) -> Chart {
-    faces.sort_unstable();
+/// Each face's corners seen along the mean normal.
+fn project(surface: &Surface, faces: &[u32]) -> Vec<[Vec2; 3]> {
     let sum: Vec3 = faces.iter().map(|&f| cross(&surface.positions, &surface.triangles[f as usize])).sum();
     let axis = sum.try_normalize().unwrap_or(Vec3::Z);
     let (right, up) = axis.any_orthonormal_pair();
-    // Flat pictures have y down, as images do: seen from outside, x right, y down.
-    let plane: Vec<[Vec2; 3]> = faces
-        .iter()
-        .map(|&f| {
-            surface.triangles[f as usize].map(|i| {
-                let p = surface.positions[i as usize];
-                Vec2::new(p.dot(right), -p.dot(up))
-            })
-        })
-        .collect();
-    let turned = |angle: f32| {
+    let flat = |i: u32| {
+        let p = surface.positions[i as usize];
+        Vec2::new(p.dot(right), p.dot(up))
+    };
+    faces.iter().map(|&f| surface.triangles[f as usize].map(flat)).collect()
+}
+
+/// Shifts and turns a flat picture into its smallest upright box.
+fn boxed(faces: &[u32], flat: Vec<[Vec2; 3]>) -> Chart {
+    let bounds = |angle: f32| {
         let r = Vec2::from_angle(angle);
-        let points = plane.iter().flatten().map(move |p| r.rotate(*p));
+        let points = flat.iter().flatten().map(move |p| r.rotate(*p));
         points.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)))
     };
     let area = |angle: f32| {
-        let (lo, hi) = turned(angle);
+        let (lo, hi) = bounds(angle);
         (hi - lo).element_product()
     };
-    let angle =
-        (0..18).map(|k| k as f32 * 5f32.to_radians()).min_by(|a, b| area(*a).total_cmp(&area(*b))).unwrap_or(0.0);
-    let (lo, hi) = turned(angle);
+    let angles = (0..18).map(|k| k as f32 * 5f32.to_radians());
+    let angle = angles.min_by(|a, b| area(*a).total_cmp(&area(*b))).unwrap_or(0.0);
+    let (lo, hi) = bounds(angle);
     let r = Vec2::from_angle(angle);
-    let corners = plane.iter().map(|t| t.map(|p| r.rotate(p) - lo)).collect();
-    Chart { faces, corners, size: hi - lo }
+    let corners = flat.iter().map(|t| t.map(|p| r.rotate(p) - lo)).collect();
+    Chart { faces: faces.to_vec(), corners, size: hi - lo }
 }
 
 /// Faces (by place in the chart) that cover the same spot, as two sides; None when there are none.
@@ -379,17 +396,17 @@ mod tests {
     #[test]
     fn a_box_has_six_charts_and_a_ball_few() {
         let boxed = scenes::sampled(&scenes::boxed(0.6, 0.4, 0.3), 32);
-        let count = charts(&boxed, 4e5).len();
+        let count = charts(&boxed, &FLAT, 4e5).len();
         assert!((6..=8).contains(&count), "{count}");
         let ball = scenes::sampled(&scenes::sphere(0.8), 32);
-        let count = charts(&ball, 4e5).len();
+        let count = charts(&ball, &FLAT, 4e5).len();
         assert!((4..=24).contains(&count), "{count}");
     }
 
     #[test]
     fn every_face_is_in_one_chart_and_none_overlaps() {
         let car = scenes::sampled(&scenes::car(), 64);
-        let charts = charts(&car, 4e5);
+        let charts = charts(&car, &FLAT, 4e5);
         let mut faces: Vec<u32> = charts.iter().flat_map(|c| c.faces.clone()).collect();
         faces.sort_unstable();
         assert_eq!(faces, (0..car.triangles.len() as u32).collect::<Vec<_>>());
