@@ -4,6 +4,7 @@ use glam::{Mat3, Vec3};
 use image::RgbImage;
 use orb_formats::{File, Image, cdb, openflight, ply, sgi};
 
+use crate::audit::{Marking, inband};
 use crate::geo::Placement;
 use crate::mesh::{self, Level};
 use crate::pipeline::Reconstruction;
@@ -58,7 +59,7 @@ impl ToMetres {
 pub struct Labels {
     /// The photo's stem, safe for file names.
     pub stem: String,
-    pub banner: String,
+    pub marking: Marking,
     /// `YYYY-MM-DDTHH:MM:SS.mmmZ`.
     pub utc: String,
     pub facc: String,
@@ -71,7 +72,7 @@ pub struct Labels {
 pub fn scene_ply(g: &Gaussians, placement: &Placement, labels: &Labels) -> Result<File> {
     let o = &placement.origin;
     let comments = [
-        format!("CLASSIFICATION: {}", labels.banner),
+        labels.marking.line(),
         "frame: subject, right-handed, metres, Z up, +Y where the camera pointed, origin on the ground".into(),
         format!("origin WGS84 latitude {} longitude {} ellipsoidal height {} m", o.latitude, o.longitude, o.height),
         format!("heading of +Y {} degrees clockwise from true north ({})", placement.heading, labels.heading_source),
@@ -99,7 +100,7 @@ pub fn gs_model(levels: &[Level], to_metres: &ToMetres, placement: &Placement, l
         height: placement.origin.height,
         heading: placement.heading,
         levels: to_metres.levels(levels),
-        marking: labels.banner.clone(),
+        marking: labels.marking.line(),
         date: openflight_date(&labels.utc),
         dbf_date: dbf_date(&labels.utc),
         comment: "made by Orb".into(),
@@ -122,7 +123,7 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
         name: stem.clone(),
         date: openflight_date(&labels.utc),
         origin: Some((placement.origin.latitude, placement.origin.longitude)),
-        header_comment: Some(format!("<Orb:Marking banner=\"{}\"/>", labels.banner)),
+        header_comment: Some(labels.marking.line()),
         zone_comment: None,
         textures: Vec::new(),
         levels: Vec::new(),
@@ -130,7 +131,7 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
     let count = coarsest_first.len();
     for (i, (level, mesh)) in coarsest_first.iter().zip(turned).enumerate() {
         let texture = format!("{stem}_{i}.rgb");
-        let bytes = sgi::write(&level.texture, &labels.banner, true).map_err(format_error)?;
+        let bytes = sgi::write(&level.texture, &labels.marking.line(), true).map_err(format_error)?;
         files.push(File { path: texture.clone(), bytes, media_type: "image/x-sgi" });
         model.textures.push(texture);
         let distance = |size: f64| size * DISTANCE_PER_METRE;
@@ -168,7 +169,7 @@ fn to_north(mesh: &orb_formats::Mesh, heading: f64) -> orb_formats::Mesh {
 }
 
 /// Photo, mask and depth; the six views; the model turned; its levels.
-pub fn preview_png(photo: &RgbImage, r: &Reconstruction, banner: &str) -> Result<Vec<u8>> {
+pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Result<Vec<u8>> {
     let small = image::imageops::thumbnail(photo, fitted(photo, 0), fitted(photo, 1));
     let tile = |image: RgbImage, caption: &str| Tile { image, caption: caption.into() };
     let what = vec![
@@ -195,7 +196,12 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, banner: &str) -> Result
         let caption = format!("{} vertices", level.mesh.positions.len());
         last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
     }
-    preview::sheet(&[what, six.collect(), turned.collect(), last], banner)
+    let sheet = preview::sheet(&[what, six.collect(), turned.collect(), last], marking.banner());
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    sheet
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .map_err(|e| Error::environment("preview.png").found(e.to_string()))?;
+    Ok(inband::mark_png(&bytes.into_inner(), marking))
 }
 
 /// Width (0) or height (1) of the photo brought down to the preview's size.

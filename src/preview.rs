@@ -4,7 +4,6 @@ use font8x8::{BASIC_FONTS, UnicodeFonts};
 use image::{Rgb, RgbImage, imageops};
 
 use crate::photo::Plane;
-use crate::{Error, Result};
 
 /// A picture with the words under it.
 pub struct Tile {
@@ -18,9 +17,8 @@ const BANNER: u32 = 32;
 const PAPER: Rgb<u8> = Rgb([245, 245, 243]);
 const INK: Rgb<u8> = Rgb([40, 40, 44]);
 
-/// Rows of tiles, all tiles of a row as wide as the sheet allows, the banner above and below, as PNG with the banner
-/// in an iTXt chunk `Classification`.
-pub fn sheet(rows: &[Vec<Tile>], banner: &str) -> Result<Vec<u8>> {
+/// Rows of tiles, all tiles of a row as wide as the sheet allows, the banner above and below.
+pub fn sheet(rows: &[Vec<Tile>], banner: &str) -> RgbImage {
     let heights: Vec<u32> = rows.iter().map(|row| WIDTH / row.len().max(1) as u32 + CAPTION).collect();
     let mut sheet = RgbImage::from_pixel(WIDTH, heights.iter().sum::<u32>() + 2 * BANNER, PAPER);
     let mut top = BANNER;
@@ -38,7 +36,7 @@ pub fn sheet(rows: &[Vec<Tile>], banner: &str) -> Result<Vec<u8>> {
     let centre = (WIDTH / 2).saturating_sub(banner.len() as u32 * 8 * 3 / 2);
     text(&mut sheet, banner, centre, 4, 3);
     text(&mut sheet, banner, centre, top + 4, 3);
-    png(&sheet, banner)
+    sheet
 }
 
 /// Mask over the photo: what is not the subject goes dark.
@@ -107,34 +105,15 @@ fn text(sheet: &mut RgbImage, words: &str, left: u32, top: u32, scale: u32) {
     }
 }
 
-fn png(image: &RgbImage, banner: &str) -> Result<Vec<u8>> {
-    let failed = |e: png::EncodingError| Error::environment("preview.png").found(e.to_string());
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, image.width(), image.height());
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.add_itxt_chunk("Classification".into(), banner.into()).map_err(failed)?;
-    let mut writer = encoder.write_header().map_err(failed)?;
-    writer.write_image_data(image.as_raw()).map_err(failed)?;
-    writer.finish().map_err(failed)?;
-    Ok(bytes)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn sheet_carries_the_banner_and_keeps_its_tiles() {
+    fn sheet_shows_the_banner_and_keeps_its_tiles() {
         let red = RgbImage::from_pixel(64, 32, Rgb([200, 10, 10]));
         let row = |n: usize| (0..n).map(|i| Tile { image: red.clone(), caption: format!("tile {i}") }).collect();
-        let bytes = sheet(&[row(3), row(6)], "SECRET").unwrap();
-        let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
-        let reader = decoder.read_info().unwrap();
-        let texts = &reader.info().utf8_text;
-        assert_eq!(texts[0].keyword, "Classification");
-        assert_eq!(texts[0].get_text().unwrap(), "SECRET");
-        let image = image::load_from_memory(&bytes).unwrap().to_rgb8();
+        let image = sheet(&[row(3), row(6)], "SECRET");
         assert_eq!(image.dimensions(), (1536, 512 + 256 + 48 + 64));
         assert_eq!(image.get_pixel(256, 32 + 256).0, [200, 10, 10]);
         assert!(image.enumerate_pixels().any(|(_, y, p)| y < 32 && p.0 == INK.0), "no banner drawn");

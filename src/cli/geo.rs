@@ -229,7 +229,11 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         eprintln!("orb: warning: {warning}");
     }
     if key.created && !args.quiet {
-        eprintln!("orb: made a signing key in {}", data.path().display());
+        eprintln!(
+            "orb: made a signing key in {}, fingerprint {}",
+            data.path().display(),
+            key.key.public().fingerprint()
+        );
     }
     let limits = photo::Limits::default();
     let bytes = read_photo(&args.photo, limits.file_bytes)?;
@@ -268,7 +272,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     let to_metres = ToMetres::new(&finest.mesh, scale.metres_per_unit);
     let labels = Labels {
         stem: plan.stem.clone(),
-        banner: plan.marking.banner().to_owned(),
+        marking: plan.marking,
         utc: reading.utc(),
         facc: plan.facc.clone(),
         fsc: plan.fsc,
@@ -289,7 +293,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         }
     }
     bar.check()?;
-    let preview = export::preview_png(&photo.pixels, &done, &labels.banner)?;
+    let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
     publication.add("preview.png", &preview, "image/png", "preview")?;
     bar.check()?;
 

@@ -47,7 +47,7 @@ pub(super) fn check_free(folder: &Path, replace: bool) -> Result<()> {
     if !replace {
         return Err(in_use(
             "an earlier result of Orb",
-            "Choose another place with -o, or allow it to be replaced with --force.",
+            "Choose another place with -o, or allow it to be replaced with --replace.",
         ));
     }
     let listed = listed_names(&record_path)?;

@@ -97,7 +97,7 @@ fn destinations_in_use() {
     fs::remove_file(out.join("thesis.txt")).unwrap();
     // An empty folder is fine.
     publish(dir.path());
-    assert!(refuse(false).advice.contains("--force"));
+    assert!(refuse(false).advice.contains("--replace"));
     fs::write(out.join("van.cdb/notes.txt"), "mine").unwrap();
     assert!(refuse(true).found.contains("van.cdb/notes.txt"));
     assert_eq!(fs::read(out.join("van.cdb/notes.txt")).unwrap(), b"mine");
