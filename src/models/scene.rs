@@ -1,6 +1,6 @@
 //! The subject's mask and depth, from the network for scenes.
 //!
-//! The network sees squares of 256². Which fit it likes best was tried on nine ray-traced photos cut and extended to
+//! The network sees squares of 256². Which fit it likes best was tried on eight ray-traced photos cut and extended to
 //! 4:3, 16:9, 2:1 and their upright forms. Squashing the whole picture and, mirrored left to right, a square of the same
 //! area with mirrored borders are each best where the other is weak; the larger of both masks is the steadiest.
 //! Padding with the edge's colour or grey, and centre squares, lost 5 to 40 points of IoU on some of them.
