@@ -111,7 +111,7 @@ pub fn fit_intrinsics(gaussians: &Gaussians, camera: &Camera, mask: &Plane) -> (
                 let mut trial = best;
                 trial[axis] += sign * step[axis];
                 let value = cost(trial);
-                if trial[0].abs() < 0.6 && value < least {
+                if trial[0].abs() < 0.8 && value < least {
                     (best, least, moved) = (trial, value, true);
                 }
             }

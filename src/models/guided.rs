@@ -51,7 +51,7 @@ fn solve_symmetric([xx, xy, xz, yy, yz, zz]: [f32; 6], c: [f32; 3]) -> [f32; 3] 
 }
 
 /// Mean over the (2r + 1)² window, cut at the border. Sums run in f64 so that they do not drift.
-fn box_mean(w: usize, h: usize, radius: usize, value: &(dyn Fn(usize) -> f32 + Sync)) -> Plane {
+pub(super) fn box_mean(w: usize, h: usize, radius: usize, value: &(dyn Fn(usize) -> f32 + Sync)) -> Plane {
     let mut rows = vec![0.0f32; w * h];
     rows.par_chunks_mut(w).enumerate().for_each(|(y, out)| {
         let at = |x: usize| f64::from(value(y * w + x));
@@ -101,7 +101,7 @@ mod tests {
         let (w, h, r) = (23, 150, 4);
         let value = |i: usize| ((i * 7919) % 101) as f32;
         let fast = box_mean(w, h, r, &value);
-        for (x, y) in [(0, 0), (22, 149), (11, 63), (11, 64), (11, 65), (3, 128), (22, 70)] {
+        for (x, y) in [(0usize, 0usize), (22, 149), (11, 63), (11, 64), (11, 65), (3, 128), (22, 70usize)] {
             let (mut sum, mut count) = (0.0, 0);
             for yy in y.saturating_sub(r)..=(y + r).min(h - 1) {
                 for xx in x.saturating_sub(r)..=(x + r).min(w - 1) {

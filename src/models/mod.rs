@@ -3,6 +3,7 @@
 //! A stage names the tensors it wants; which engine runs the graph is no concern of it.
 
 pub mod align;
+pub mod colour_model;
 pub mod guided;
 pub mod prior;
 pub mod region;

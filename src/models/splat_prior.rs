@@ -8,7 +8,7 @@ use super::align::fit_intrinsics;
 use super::scene::Subject;
 use super::{Graph, Port, Tensor, check_contract, take};
 use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
-use crate::splat::{Camera, Gaussians};
+use crate::splat::{Camera, Gaussians, SH_C0};
 use crate::{Error, Result};
 use glam::Vec3;
 use image::RgbImage;
@@ -24,8 +24,6 @@ pub const DISTANCE: f32 = 3.9;
 pub const FOV: f32 = std::f32::consts::PI / 6.0;
 /// The crop is handed on at no more than this.
 const LARGEST_CROP: usize = 512;
-/// Y₀⁰.
-const SH_C0: f32 = 0.282_094_8;
 
 /// The subject in three dimensions, with the photo that it came from.
 #[derive(Clone, Debug)]
@@ -242,5 +240,37 @@ mod tests {
         let crop = crop_around(&subject);
         assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
         assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
+        use crate::models::{Engine, Rten, prior, scene};
+        let bytes = include_bytes!("../../tests/data/container.jpg");
+        let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
+        let subject = {
+            let graph = Rten.load(prior::SCENE.verified().unwrap()).unwrap();
+            scene::subject(&photo.pixels, None, &*graph).unwrap()
+        };
+        let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
+        let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
+        assert!(
+            (view.elevation.to_degrees() - 15.0).abs() < 6.0,
+            "taken from 15°, guessed {}",
+            view.elevation.to_degrees()
+        );
+        assert!(view.silhouette_iou > 0.9, "{}", view.silhouette_iou);
+        assert_eq!((view.camera.width as usize, view.colour.len()), (view.mask.width, view.mask.data.len()));
+        let seen = crate::splat::render(&view.gaussians, &view.camera, [0.5; 3]);
+        let mut squares = 0.0;
+        for (i, shown) in seen.color.iter().enumerate() {
+            let a = view.mask.data[i];
+            squares +=
+                (0..3).map(|c| f64::from(shown[c] - (view.colour[i][c] * a + 0.5 * (1.0 - a))).powi(2)).sum::<f64>();
+        }
+        let psnr = -10.0 * (squares / (3 * seen.color.len()) as f64).log10();
+        assert!(psnr > 18.0, "{psnr} dB");
+        // Its bounding sphere is the unit, give or take; nothing lies under the far horizon.
+        let inside = view.gaussians.positions.iter().filter(|p| p.length() < 1.3).count();
+        assert!(inside as f32 > 0.95 * view.gaussians.len() as f32);
     }
 }

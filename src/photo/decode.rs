@@ -1,7 +1,7 @@
 //! Bytes → upright sRGB pixels, within limits that hold before anything large is allocated.
 
 use super::complete::{jpeg_reaches_its_end, webp_reaches_its_end};
-use super::exif::{self, Orientation};
+use super::metadata::{self, Orientation};
 use super::{Exif, Photo};
 use crate::{Error, Result};
 use image::{DynamicImage, GrayImage, ImageDecoder, ImageFormat, ImageReader, RgbImage};
@@ -76,7 +76,7 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
         ImageFormat::Tiff => Some(bytes.to_vec()), // A TIFF file is an EXIF block.
         _ => decoder.exif_metadata().ok().flatten(),
     };
-    let (exif, orientation): (Exif, Orientation) = block.map(exif::read).unwrap_or_default();
+    let (exif, orientation): (Exif, Orientation) = block.map(metadata::read).unwrap_or_default();
     let decoded = DynamicImage::from_decoder(decoder).map_err(damaged)?;
 
     let (pixels, cutout) = flatten(decoded);

@@ -2,14 +2,14 @@
 
 mod complete;
 mod decode;
-mod exif;
+mod metadata;
 mod plane;
 mod resample;
 #[cfg(test)]
 mod tests;
 
 pub use decode::{Limits, decode};
-pub use exif::{Exif, Orientation};
+pub use metadata::{Exif, Orientation};
 pub use plane::Plane;
 pub use resample::{Edge, Rect, sample_colour, sample_plane};
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::Kind;
-use exif::{Field, In, Tag, Value, experimental::Writer};
+use ::exif::{Field, In, Tag, Value, experimental::Writer};
 use image::{DynamicImage, ImageFormat, RgbImage};
 use std::io::Cursor;
 
