@@ -151,8 +151,8 @@ fn time_limit(quality: Quality) -> Option<Duration> {
 fn steps(quality: Quality, threads: usize) -> u32 {
     let share = (threads as f64 / 2.0).clamp(0.5, 8.0);
     match quality {
-        Quality::Draft => (100.0 * share) as u32,
-        Quality::Standard => (300.0 * share) as u32,
+        Quality::Draft => (250.0 * share) as u32,
+        Quality::Standard => (900.0 * share) as u32,
         Quality::High => 7000,
     }
 }
