@@ -21,6 +21,8 @@ pub struct Rates {
     pub harmonics: f32,
     /// Radians.
     pub pose: f32,
+    /// All but the position's fall exponentially to this share of themselves.
+    pub final_share: f32,
 }
 
 /// Adaptive density control.
@@ -75,6 +77,7 @@ impl Default for Options {
                 color: 2.5e-3,
                 harmonics: 2.5e-3 / 20.0,
                 pose: 1e-4,
+                final_share: 1.0,
             },
             scene_extent: 4.3,
             sh_degree_every: 1000,
@@ -132,7 +135,9 @@ impl Options {
         let r = &self.rates;
         let t = iteration as f32 / self.iterations.max(1) as f32;
         let position = (r.position.ln() * (1.0 - t) + r.position_final.ln() * t).exp();
-        LaneRates::new(position * self.scene_extent, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
+        let [opacity, rotation, scale, color, harmonics] =
+            [r.opacity, r.rotation, r.scale, r.color, r.harmonics].map(|rate| rate * r.final_share.powf(t));
+        LaneRates::new(position * self.scene_extent, opacity, rotation, scale, color, harmonics)
     }
 
     /// Black, white, grey and noise in turn, in an order that the seed picks.
