@@ -19,7 +19,7 @@ const REACH: usize = 5;
 const PAD_ROWS: usize = 8;
 const PAD: usize = 16;
 /// Gaussian of σ 1.5 on −5..=5, normalised: the centre and the five to one side.
-const WINDOW: [f32; 6] = [0.266_011_7, 0.213_005_54, 0.109_360_69, 0.036_000_773, 0.007_598_758_3, 0.001_028_38];
+const WINDOW: [f32; 6] = [0.266_011_7, 0.213_005_54, 0.109_360_69, 0.036_000_773, 0.007_598_758, 0.001_028_38];
 
 /// What lies behind the subject in one iteration. A changing background makes the loss see alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -413,6 +413,7 @@ impl Kernel for Gradient<'_> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::needless_range_loop)]
     use super::*;
     use crate::splat::train::random::Random;
 
