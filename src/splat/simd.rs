@@ -170,7 +170,7 @@ impl Simd for Portable {
 }
 
 #[cfg(target_arch = "x86_64")]
-mod x86 {
+pub mod x86 {
     use super::{EXP2, Kernel, ROUND, Simd};
     use std::arch::x86_64::*;
 

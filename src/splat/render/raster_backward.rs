@@ -46,7 +46,10 @@ impl Kernel for Backward<'_> {
         let (used, unused) = self.out.split_at_mut(self.pixels.used);
         unused.fill(SplatGradient::default());
         let (x0, y0) = (self.x0, self.y0);
-        let lanes: [f32; TILE] = std::array::from_fn(|i| (x0 + i) as f32 + 0.5);
+        let mut lanes = [0.0f32; TILE];
+        for (i, x) in lanes.iter_mut().enumerate() {
+            *x = (x0 + i) as f32 + 0.5;
+        }
         let mut transmittance = Aligned([1.0; PIXELS]);
         let mut behind = Aligned([0.0; PIXELS]);
         let (transmittance, behind) = (&mut transmittance.0, &mut behind.0);

@@ -19,7 +19,7 @@ const REACH: usize = 5;
 const PAD_ROWS: usize = 8;
 const PAD: usize = 16;
 /// Gaussian of σ 1.5 on −5..=5, normalised: the centre and the five to one side.
-const WINDOW: [f32; 6] = [0.266_011_7, 0.213_005_54, 0.109_360_69, 0.036_000_773, 0.007_598_758_3, 0.001_028_38];
+const WINDOW: [f32; 6] = [0.266_011_7, 0.213_005_54, 0.109_360_69, 0.036_000_773, 0.007_598_758, 0.001_028_38];
 
 /// What lies behind the subject in one iteration. A changing background makes the loss see alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -245,7 +245,7 @@ impl Kernel for Ssim<'_> {
             return;
         }
         let (stride, step) = (self.stride, 6 * self.stride);
-        let [one, two, zero] = [1.0, 2.0, 0.0].map(|v| s.splat(v));
+        let (one, two, zero) = (s.splat(1.0), s.splat(2.0), s.splat(0.0));
         let (c1, c2) = (s.splat(C1), s.splat(C2));
         // Filtered down the columns: x, y, x² + y², x·y.
         let mut column = vec![0.0f32; 4 * stride];
@@ -274,7 +274,7 @@ impl Kernel for Ssim<'_> {
                     s.store(q, &mut column[2 * stride + at..]);
                     s.store(r, &mut column[3 * stride + at..]);
                 }
-                let [cx, cy, cq, cr] = std::array::from_fn(|k| &column[k * stride..(k + 1) * stride]);
+                let (cx, cy, cq, cr) = (&column[..], &column[stride..], &column[2 * stride..], &column[3 * stride..]);
                 let here = (PAD_ROWS + y) * step + c * stride;
                 let (mut row_l1, mut row_lost) = (zero, zero);
                 for x in (first..end).step_by(S::LANES) {
@@ -381,7 +381,10 @@ impl Kernel for Gradient<'_> {
                     let tile = &mut self.tiles[t];
                     for lane in (0..TILE).step_by(S::LANES) {
                         let x = t * TILE + lane;
-                        let [d_mu, d_q, d_r] = std::array::from_fn(|m| along(s, &column[m * stride..], PAD + x));
+                        // No closure: one that is not inlined would lose the instruction set.
+                        let d_mu = along(s, &column, PAD + x);
+                        let d_q = along(s, &column[stride..], PAD + x);
+                        let d_r = along(s, &column[2 * stride..], PAD + x);
                         let px = s.load(&self.pictures[here + x..]);
                         let py = s.load(&self.pictures[here + 3 * stride + x..]);
                         let ssim = s.fma(py, d_r, s.fma(s.mul(two, px), d_q, d_mu));
@@ -410,6 +413,7 @@ impl Kernel for Gradient<'_> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::needless_range_loop)]
     use super::*;
     use crate::splat::train::random::Random;
 
