@@ -89,6 +89,8 @@ struct Source {
     trust: Vec<f32>,
     /// The nearest surface around each pixel.
     nearest: Vec<f32>,
+    /// How far behind it a point may lie and still be seen, beside what pixels and slopes make.
+    slack: f32,
 }
 
 impl Source {
@@ -108,7 +110,7 @@ impl Source {
         let nearest = self.nearest[at.y as usize * c.width as usize + at.x as usize];
         let pixel = p.z / c.fx;
         let slope = (1.0 - straight * straight).sqrt() / straight;
-        let tolerance = 2.5 * pixel * (1.0 + slope.min(5.0)) + 0.006;
+        let tolerance = 2.5 * pixel * (1.0 + slope.min(5.0)) + self.slack;
         (nearest > 0.0 && p.z <= nearest + tolerance).then_some((at, straight))
     }
 
@@ -185,7 +187,7 @@ fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], linear: 
         })
         .collect();
     let eye = view.camera.position();
-    Source { camera: view.camera, eye, color, trust, nearest: nearest_around(&depth, w, h, 1) }
+    Source { camera: view.camera, eye, color, trust, nearest: nearest_around(&depth, w, h, 1), slack: 0.006 }
 }
 
 fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Source {
@@ -203,6 +205,8 @@ fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Source 
         color,
         trust,
         nearest: nearest_around(&mesh_seen.depth, w, h, reach),
+        // What hides so little is a bump that should not be there.
+        slack: 0.03,
     }
 }
 

@@ -221,8 +221,14 @@ mod tests {
     fn volume(f: impl Fn(Vec3) -> f32) -> Volume {
         let n = 48;
         let voxel = 2.0 / (n - 1) as f32;
-        let mut v =
-            Volume { origin: Vec3::splat(-1.0), voxel, dims: [n; 3], truncation: 0.2, data: vec![0.2; n * n * n] };
+        let mut v = Volume {
+            origin: Vec3::splat(-1.0),
+            voxel,
+            dims: [n; 3],
+            truncation: 0.2,
+            data: vec![0.2; n * n * n],
+            noise: 0.0,
+        };
         for z in 1..n - 1 {
             for y in 1..n - 1 {
                 for x in 1..n - 1 {

@@ -5,7 +5,7 @@ use super::distance::{Bvh, farthest, samples};
 use super::extract::extract;
 use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
-use super::smooth::taubin;
+use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
 use super::{
     Level, Mesh, Model, Options, PhotoView, Surface, VIEW_DISTANCE, VIEW_FOV, View, clean, fibonacci_sphere, pack,
@@ -95,7 +95,13 @@ fn solid(render: &(dyn Fn(&Camera) -> View + Sync), options: &Options, progress:
 
 fn closed_surface(solid: &Solid) -> Surface {
     let mut surface = extract(&solid.volume);
-    taubin(&mut surface, 6, 0.7 * solid.volume.voxel, solid.ground);
+    let Volume { voxel, noise, .. } = solid.volume;
+    // More where the views disagree.
+    let rounds = (6.0 + 8.0 * noise / voxel).min(30.0) as usize;
+    taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
+    if let Some(ground) = solid.ground {
+        stand_on(&mut surface, ground, voxel, noise);
+    }
     surface
 }
 
@@ -151,7 +157,7 @@ fn fit(
         }
         let mut surface = simplifier.surface();
         if let Some(ground) = solid.ground {
-            stand_on(&mut surface, ground, solid.volume.voxel);
+            stand_on(&mut surface, ground, solid.volume.voxel, solid.volume.noise);
         }
         let charts = charts(&surface, if cap > 1024 { &FLAT } else { &ROUND }, texels);
         let count = split_count(&surface, &charts);
@@ -165,10 +171,13 @@ fn fit(
     }
 }
 
-/// Nothing below the ground, and what is within a voxel of it on it.
-fn stand_on(surface: &mut Surface, ground: f32, voxel: f32) {
-    for p in &mut surface.positions {
-        if p.z < ground + voxel {
+/// Nothing below the ground, what is within half a voxel of it on it, and what faces down nearly as low too.
+fn stand_on(surface: &mut Surface, ground: f32, voxel: f32, noise: f32) {
+    let (lo, hi) = surface.bounds();
+    let undersides = voxel.max((3.0 * noise).min(0.05 * (hi.z - lo.z)));
+    let normals = vertex_normals(&surface.positions, &surface.triangles);
+    for (p, n) in surface.positions.iter_mut().zip(normals) {
+        if p.z < ground + 0.5 * voxel || (n.z < -0.6 && p.z < ground + undersides) {
             p.z = ground;
         }
     }
