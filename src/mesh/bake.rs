@@ -97,7 +97,7 @@ pub fn bake(
 ) -> Result<Baked> {
     let size = size as usize;
     let texels = texels(mesh, size);
-    let linear = Linear::new();
+    let linear = Linear::default();
     let mut sums = vec![[0f32; 4]; texels.len()];
     let cameras = color_cameras(options.color_views, options.color_size);
     for (done, camera) in cameras.iter().enumerate() {
@@ -166,15 +166,19 @@ fn with_photo(texels: &[Texel], around: &[[f32; 3]], source: &Source) -> Vec<([f
         known.map(|((t, views), (photo, _))| (t.position, std::array::from_fn(|k| ratio(photo[k], views[k])))),
         0.7,
     );
-    let mixed = |((texel, views), &(photo, share)): ((&Texel, &[f32; 3]), &([f32; 3], f32))| {
-        let ratio = ratios.at(texel.position);
-        let color = std::array::from_fn(|k| {
-            let near = ((views[k] + DARK) * ratio[k].exp() - DARK).clamp(0.0, 1.0);
-            near + share * (photo[k] - near)
-        });
-        (color, share)
-    };
-    texels.par_iter().zip(around).zip(&seen).map(mixed).collect()
+    texels
+        .par_iter()
+        .zip(around)
+        .zip(&seen)
+        .map(|((texel, views), &(photo, share))| {
+            let ratio = ratios.at(texel.position);
+            let color = std::array::from_fn(|k| {
+                let near = ((views[k] + DARK) * ratio[k].exp() - DARK).clamp(0.0, 1.0);
+                near + share * (photo[k] - near)
+            });
+            (color, share)
+        })
+        .collect()
 }
 
 /// A coarser level's texture out of the finest one's, by closest points that look the same way.

@@ -75,12 +75,10 @@ fn cluster(surface: &Surface, bend: &Bend) -> Vec<u32> {
         merge_all(&mut clusters, allowed);
     }
     let mut chart_of = vec![0; surface.triangles.len()];
-    let mut charts = 0;
-    for c in clusters.iter().filter(|c| !c.faces.is_empty()) {
+    for (chart, c) in clusters.iter().filter(|c| !c.faces.is_empty()).enumerate() {
         for &f in &c.faces {
-            chart_of[f as usize] = charts;
+            chart_of[f as usize] = chart as u32;
         }
-        charts += 1;
     }
     chart_of
 }
