@@ -125,7 +125,7 @@ fn solid_parts(volume: &Volume) -> Vec<Vec<usize>> {
     parts
 }
 
-/// Cuts the lowest band flat, at most two voxels up, so that the subject stands on a plane. Returns its height.
+/// Cuts the lowest band flat, at most two voxels and what the views disagree up, so that the subject stands on a plane. Returns its height.
 pub fn flatten_ground(volume: &mut Volume) -> Option<f32> {
     let [nx, ny, nz] = volume.dims;
     let slice = nx * ny;
@@ -133,7 +133,9 @@ pub fn flatten_ground(volume: &mut Volume) -> Option<f32> {
         (0..nz).map(|z| volume.data[z * slice..(z + 1) * slice].iter().filter(|d| **d < 0.0).count()).collect();
     let lowest = area.iter().position(|a| *a > 0)?;
     let above = |z: usize| area[z..(z + 4).min(nz)].iter().max().copied().unwrap_or(0);
-    let ground = (lowest..(lowest + 3).min(nz)).find(|&z| 2 * area[z] >= above(z)).unwrap_or((lowest + 2).min(nz - 1));
+    let band = 2 + (1.5 * volume.noise / volume.voxel) as usize;
+    let last = (lowest + band).min(nz - 1);
+    let ground = (lowest..=last).find(|&z| 2 * area[z] >= above(z)).unwrap_or(last);
     if ground == 0 {
         return None;
     }
@@ -221,8 +223,14 @@ mod tests {
     fn volume(f: impl Fn(Vec3) -> f32) -> Volume {
         let n = 48;
         let voxel = 2.0 / (n - 1) as f32;
-        let mut v =
-            Volume { origin: Vec3::splat(-1.0), voxel, dims: [n; 3], truncation: 0.2, data: vec![0.2; n * n * n] };
+        let mut v = Volume {
+            origin: Vec3::splat(-1.0),
+            voxel,
+            dims: [n; 3],
+            truncation: 0.2,
+            data: vec![0.2; n * n * n],
+            noise: 0.0,
+        };
         for z in 1..n - 1 {
             for y in 1..n - 1 {
                 for x in 1..n - 1 {

@@ -16,10 +16,13 @@ pub fn to_byte(c: f32) -> u8 {
 /// `to_linear` by table: 4096 steps, for whole pictures.
 pub struct Linear(Vec<f32>);
 
-impl Linear {
-    pub fn new() -> Self {
+impl Default for Linear {
+    fn default() -> Self {
         Linear((0..=4096).map(|i| to_linear(i as f32 / 4096.0)).collect())
     }
+}
+
+impl Linear {
     pub fn of(&self, c: f32) -> f32 {
         let x = c.clamp(0.0, 1.0) * 4096.0;
         let i = (x as usize).min(4095);
@@ -33,7 +36,7 @@ mod tests {
 
     #[test]
     fn bytes_come_back() {
-        let table = Linear::new();
+        let table = Linear::default();
         for b in 0..=255u8 {
             let c = b as f32 / 255.0;
             assert_eq!(to_byte(to_linear(c)), b);

@@ -152,8 +152,14 @@ mod tests {
 
     fn volume(n: usize, f: impl Fn(Vec3) -> f32) -> Volume {
         let voxel = 2.0 / (n - 1) as f32;
-        let mut v =
-            Volume { origin: Vec3::splat(-1.0), voxel, dims: [n; 3], truncation: 1.0, data: vec![1.0; n * n * n] };
+        let mut v = Volume {
+            origin: Vec3::splat(-1.0),
+            voxel,
+            dims: [n; 3],
+            truncation: 1.0,
+            data: vec![1.0; n * n * n],
+            noise: 0.0,
+        };
         for z in 1..n - 1 {
             for y in 1..n - 1 {
                 for x in 1..n - 1 {

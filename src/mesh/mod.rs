@@ -11,6 +11,7 @@ pub mod clean;
 pub mod color;
 pub mod distance;
 pub mod extract;
+pub mod fill;
 pub mod fuse;
 pub mod levels;
 pub mod pack;
@@ -18,6 +19,7 @@ pub mod raster;
 pub mod relax;
 pub mod simplify;
 pub mod smooth;
+pub mod source;
 pub mod unwrap;
 
 #[cfg(test)]

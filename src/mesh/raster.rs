@@ -125,7 +125,7 @@ pub fn raster(
     let seen = visibility(&mesh.positions, &mesh.triangles, &fine);
     let projected = project(&mesh.positions, &mesh.triangles, &fine);
     let eye = camera.position();
-    let table = Linear::new();
+    let table = Linear::default();
     let background = background.map(|c| to_linear(c as f32 / 255.0));
     let sample = |i: usize| -> [f32; 3] {
         let t = seen.triangle[i] as usize;

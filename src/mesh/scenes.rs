@@ -93,7 +93,14 @@ pub fn depth_cameras(count: usize, size: u32) -> Vec<Camera> {
 /// The scene's own surface from samples of its function, `n` along each axis.
 pub fn sampled(scene: &Scene, n: usize) -> Surface {
     let voxel = 2.2 / (n - 1) as f32;
-    let mut v = Volume { origin: Vec3::splat(-1.1), voxel, dims: [n; 3], truncation: 1.0, data: vec![1.0; n * n * n] };
+    let mut v = Volume {
+        origin: Vec3::splat(-1.1),
+        voxel,
+        dims: [n; 3],
+        truncation: 1.0,
+        data: vec![1.0; n * n * n],
+        noise: 0.0,
+    };
     for z in 1..n - 1 {
         for y in 1..n - 1 {
             for x in 1..n - 1 {

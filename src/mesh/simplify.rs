@@ -297,8 +297,8 @@ impl Simplifier {
             return false;
         }
         let smallest = (0..volumes.len()).min_by(|&i, &j| volumes[i].total_cmp(&volumes[j])).unwrap_or(0) as u32;
-        for v in 0..self.positions.len() {
-            if part_of[v] == smallest {
+        for (v, part) in part_of.iter().enumerate() {
+            if *part == smallest {
                 for f in std::mem::take(&mut self.faces_of[v]) {
                     self.alive[f as usize] = false;
                 }

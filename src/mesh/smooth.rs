@@ -37,15 +37,14 @@ impl Adjacency {
     }
 }
 
-/// Taubin's λ|μ smoothing, `rounds` of both; no vertex moves further than `limit`; `ground` stays the plane it is.
-///
-/// Vertices within half a `limit` of the ground plane are put onto it.
+/// Taubin's λ|μ smoothing, `rounds` of both; no vertex moves further than `limit`; what lies on the plane z = `ground`
+/// or below stays or comes onto it.
 pub fn taubin(surface: &mut Surface, rounds: usize, limit: f32, ground: Option<f32>) {
     const LAMBDA: f32 = 0.5;
     const MU: f32 = -0.53;
     let adjacency = Adjacency::new(surface.positions.len(), &surface.triangles);
     let start = surface.positions.clone();
-    let on_ground = |p: Vec3| ground.is_some_and(|g| p.z < g + 0.5 * limit);
+    let on_ground = |p: Vec3| ground.is_some_and(|g| p.z <= g);
     let mut from = start.clone();
     for round in 0..2 * rounds {
         let factor = if round % 2 == 0 { LAMBDA } else { MU };
