@@ -82,7 +82,8 @@ impl Kernel for Backward<'_> {
                 let bx = s.mul(s.splat(g.b), dx);
                 let ax = s.fma(s.mul(s.splat(g.a), dx), dx, s.splat(g.level));
                 for row in first..end {
-                    let at = row * TILE + column;
+                    // The mask changes nothing; it shows the compiler that no index can be out of bounds.
+                    let at = (row * TILE + column) & (PIXELS - S::LANES);
                     let dy = (y0 + row) as f32 + 0.5 - g.y;
                     let dy = s.splat(dy);
                     let exponent = s.fma(dy, s.fma(s.splat(g.c), dy, bx), ax);
@@ -107,7 +108,7 @@ impl Kernel for Backward<'_> {
                     let rest = s.fnma(cv, w, s.load(&behind[at..]));
                     s.store(rest, &mut behind[at..]);
                     // A saturated alpha no longer depends on shape or opacity.
-                    let d_alpha = s.sub(s.mul(t, cv), s.div(rest, s.sub(one, alpha)));
+                    let d_alpha = s.fnma(rest, s.reciprocal(s.sub(one, alpha)), s.mul(t, cv));
                     let d = s.select(s.and(go, s.ge(most, raw)), s.mul(d_alpha, alpha), zero);
                     let d_x = s.mul(d, dx);
                     let d_y = s.mul(d, dy);

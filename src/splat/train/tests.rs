@@ -176,3 +176,11 @@ fn density_clones_splits_and_prunes() {
     assert_eq!(packed.core[4], before.core[0]);
     assert_eq!((moments.steps.len(), statistics.seen.len(), packed.sh.len()), (5, 5, 5));
 }
+
+#[test]
+fn more_time_allows_more_iterations() {
+    let (targets, start) = problem();
+    assert_eq!(iterations_within(&start, &targets, 0.0, &Silent).unwrap(), 50);
+    let n = iterations_within(&start, &targets, 1e6, &Silent).unwrap();
+    assert_eq!(n, 7000);
+}
