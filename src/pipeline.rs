@@ -27,6 +27,8 @@ const GREY: [f32; 3] = [0.5; 3];
 pub struct Settings {
     /// Optimisation steps.
     pub iterations: u32,
+    /// Fewer steps where this machine, by a short trial, would need longer for them. `None`: all of them.
+    pub optimise_within: Option<Duration>,
     /// The optimisation ends early past this point, and says so.
     pub deadline: Option<Instant>,
     pub seed: u64,
@@ -132,11 +134,14 @@ fn optimise(
     };
     targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
     targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
-    let options = splat::Options {
-        seed: settings.seed,
-        deadline: settings.deadline,
-        ..splat::Options::scaled(settings.iterations as usize)
-    };
+    progress.begin("optimisation", 0);
+    let mut iterations = settings.iterations as usize;
+    if let Some(limit) = settings.optimise_within {
+        let fits = splat::train::iterations_within(&prior.gaussians, &targets, limit.as_secs_f64(), progress)?;
+        iterations = iterations.min(fits);
+    }
+    let options =
+        splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
     splat::train(prior.gaussians.clone(), &targets, &options, progress)
 }
 
@@ -150,7 +155,7 @@ fn held_back(size: usize, seed: u64) -> Vec<bool> {
             let mut z = (block ^ seed.rotate_left(32)).wrapping_add(0x9E37_79B9_7F4A_7C15);
             z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
             z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            (z ^ (z >> 31)) % 32 == 0
+            (z ^ (z >> 31)).is_multiple_of(32)
         })
         .collect()
 }

@@ -137,17 +137,28 @@ pub struct GeoArgs {
     pub quiet: bool,
 }
 
-/// Wall time that the optimisation may use up to, from the start of the run.
-fn time_limit(quality: Quality) -> Option<Duration> {
+/// What keeps a run inside its time.
+#[derive(Clone, Copy)]
+struct TimeLimits {
+    /// For the optimisation; decides the number of steps beforehand.
+    optimise: Duration,
+    /// End of the optimisation, from the start of the run: for machines that slow down on the way.
+    latest: Duration,
+}
+
+fn time_limits(quality: Quality) -> Option<TimeLimits> {
+    let limits = |optimise, latest| {
+        Some(TimeLimits { optimise: Duration::from_secs(optimise), latest: Duration::from_secs(latest) })
+    };
     match quality {
-        Quality::Draft => Some(Duration::from_secs(20)),
-        Quality::Standard => Some(Duration::from_secs(38)),
+        Quality::Draft => limits(10, 20),
+        Quality::Standard => limits(28, 40),
         Quality::High => None,
     }
 }
 
-/// Optimisation steps that fit the time on a machine with so many threads; more would be cut by the limit, and
-/// then two runs would not be alike.
+/// Optimisation steps wanted on a machine with so many threads. Where they fit the time, like machines do the same
+/// number, and two runs are alike.
 fn steps(quality: Quality, threads: usize) -> u32 {
     let share = (threads as f64 / 2.0).clamp(0.5, 8.0);
     match quality {
@@ -235,10 +246,10 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
             key.key.public().fingerprint()
         );
     }
-    let limits = photo::Limits::default();
-    let bytes = read_photo(&args.photo, limits.file_bytes)?;
+    let photo_limits = photo::Limits::default();
+    let bytes = read_photo(&args.photo, photo_limits.file_bytes)?;
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let photo = photo::decode(&name, &bytes, &limits)?;
+    let photo = photo::decode(&name, &bytes, &photo_limits)?;
 
     let mut random = [0u8; 18];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
@@ -251,12 +262,12 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     };
 
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    // Who names a number of steps gets them, however long they take.
+    let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
     let settings = Settings {
         iterations: args.iterations.unwrap_or_else(|| steps(args.quality, threads)),
-        deadline: match args.iterations {
-            Some(_) => None,
-            None => time_limit(args.quality).map(|limit| started + limit),
-        },
+        optimise_within: limits.map(|l| l.optimise),
+        deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
         levels: args.lods.into(),
     };

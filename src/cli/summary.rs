@@ -54,13 +54,12 @@ pub fn text(s: &Summary) -> String {
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
     line("seen", format!("{:.0}% of the finest texture from the photo, the rest invented", finest.seen * 100.0));
-    let steps = if report.stopped_by_deadline {
-        format!("{} of {} steps, ended by the time limit", report.iterations, s.steps_planned)
-    } else {
-        format!("{} steps", report.iterations)
+    let steps = match report.iterations {
+        run if run < s.steps_planned as usize => format!("{run} of {} steps, for lack of time", s.steps_planned),
+        run => format!("{run} steps"),
     };
     line("optimised", format!("{steps}; {}", quality(s.done)));
-    line("time", format!("{}, {}", s.time.utc(), s.time.describe()));
+    line("time", s.time.describe());
     line("record", format!("{} of ledger {}", s.published.seq, s.published.ledger_id));
     line("trail hash", s.published.trail_hash.clone());
     line("signed by", s.published.signed_by.clone());
