@@ -11,6 +11,8 @@ use crate::photo::Plane;
 const BINS: usize = 20;
 /// No colour speaks louder than e³ to 1.
 const LOUDEST: f32 = 3.0;
+/// Power of the odds: makes the mask decide where both together still waver, without moving its line of one half.
+const CRISP: i32 = 3;
 /// Above this the network's word stands.
 const SURE: f32 = 0.8;
 
@@ -69,7 +71,7 @@ pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     Evidence { log_odds, divergence: (0..table.len()).map(|b| inside.0[b] * ratio(b)).sum() }
 }
 
-/// Multiplies the mask's odds by the colour's in the band where the mask may move: within `reach` pixels of the line of
+/// Multiplies the mask's odds by the colour's and cubes them, in the band where the mask may move: within `reach` pixels of the line of
 /// one half, and where the mask itself doubts (0.1..0.9). Elsewhere in the box `near` the mask becomes 1 or 0. What it is
 /// sure of, more than `margin` pixels deep, stays; returns that core. Outside `near` the mask becomes 0.
 pub fn refine(log_odds: &Plane, mask: &mut Plane, near: Bounds, reach: usize, margin: usize) -> Vec<bool> {
@@ -86,7 +88,7 @@ pub fn refine(log_odds: &Plane, mask: &mut Plane, near: Bounds, reach: usize, ma
             1.0
         } else if doubtful {
             let p = v.clamp(0.01, 0.99);
-            let odds = p / (1.0 - p) * log_odds.data[i].exp();
+            let odds = (p / (1.0 - p) * log_odds.data[i].exp()).powi(CRISP);
             odds / (1.0 + odds)
         } else {
             f32::from(u8::from(*v > 0.5))
@@ -154,6 +156,7 @@ mod tests {
         mask.data.iter_mut().for_each(|v| *v = v.clamp(0.15, 0.85));
         let before = mask.clone();
         refine(&found.log_odds, &mut mask, [0, 0, 30, 30], 2, 10);
-        assert!(mask.data.iter().zip(&before.data).all(|(a, b)| (a - b).abs() < 0.01));
+        let crisper = |a: f32, b: f32| if b > 0.5 { a > 0.99 } else { a < 0.02 };
+        assert!(mask.data.iter().zip(&before.data).all(|(a, b)| crisper(*a, *b)));
     }
 }
