@@ -1,16 +1,20 @@
 //! What colours the subject and its surroundings have, learnt from the mask itself.
 //!
 //! One step of the iteration in C. Rother, V. Kolmogorov, A. Blake, "GrabCut", SIGGRAPH 2004, with histograms in place of
-//! mixtures and the network's odds in place of a graph cut: where both looks of the network disagree, colour decides.
+//! mixtures and the network's odds in place of a graph cut: where the network doubts, and close to the edge it drew, colour decides; what it
+//! is sure of stays.
 
 use super::guided::box_mean;
-use super::region::Bounds;
+use super::region::{Bounds, dilated, eroded};
 use crate::photo::Plane;
-use rayon::prelude::*;
 
 const BINS: usize = 20;
 /// No colour speaks louder than e³ to 1.
 const LOUDEST: f32 = 3.0;
+/// Power of the odds: makes the mask decide where both together still waver, without moving its line of one half.
+const CRISP: i32 = 3;
+/// Above this the network's word stands.
+const SURE: f32 = 0.8;
 
 /// Probability of each colour bin.
 struct Histogram(Vec<f32>);
@@ -42,31 +46,55 @@ fn blurred(counts: &[f64], stride: usize) -> Vec<f64> {
     (0..counts.len()).map(|i| (0..5).map(|k| WEIGHTS[k] * counts[near(i, k)]).sum()).collect()
 }
 
-/// Multiplies the mask's odds by subject-to-surroundings likelihood of each pixel's colour, in the box grown by a
-/// quarter; outside it the mask becomes 0. `guide` is sRGB 0..1 of the mask's size.
-///
-/// Returns how far the two colour distributions differ: the Kullback–Leibler divergence in nats, 0 for no difference.
-pub fn refine(guide: &[[f32; 3]], mask: &mut Plane, subject: Bounds) -> f32 {
-    let [x0, y0, x1, y1] = subject;
+/// How the colours near a subject tell it from its surroundings.
+pub struct Evidence {
+    /// Natural logarithm of the odds that each pixel's colour is the subject's, at most 3 either way.
+    pub log_odds: Plane,
+    /// How far the two colour distributions differ: the Kullback–Leibler divergence in nats, 0 for no difference.
+    pub divergence: f32,
+}
+
+/// Learns both colour distributions where the mask is surest, in the box `near`, and asks them about each pixel.
+/// `guide` is sRGB 0..1 of the mask's size.
+pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     let (w, h) = (mask.width, mask.height);
-    let grow = (x1 - x0).max(y1 - y0) / 4;
-    let (left, right) = (x0.saturating_sub(grow), (x1 + grow).min(w));
-    let (top, bottom) = (y0.saturating_sub(grow), (y1 + grow).min(h));
-    let near = |i: usize| (left..right).contains(&(i % w)) && (top..bottom).contains(&(i / w));
+    let [x0, y0, x1, y1] = near;
     let weighted = |weight: fn(f32) -> f32| {
-        (0..w * h).filter(|&i| near(i)).map(|i| (guide[i], weight(mask.data[i].clamp(0.01, 0.99)))).collect::<Vec<_>>()
+        let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| y * w + x));
+        Histogram::new(pixels.map(|i| (guide[i], weight(mask.data[i].clamp(0.01, 0.99)))))
     };
-    let inside = Histogram::new(weighted(|v| v * v).into_iter());
-    let outside = Histogram::new(weighted(|v| (1.0 - v) * (1.0 - v)).into_iter());
+    let inside = weighted(|v| v * v);
+    let outside = weighted(|v| (1.0 - v) * (1.0 - v));
     let ratio = |b: usize| ((inside.0[b] + 1e-6) / (outside.0[b] + 1e-6)).ln();
     let table: Vec<f32> = (0..BINS * BINS * BINS).map(|b| ratio(b).clamp(-LOUDEST, LOUDEST)).collect();
-    let smooth = box_mean(w, h, (w.max(h) / 500).max(1), &|i| table[bin(guide[i])]);
-    mask.data.par_iter_mut().enumerate().for_each(|(i, v)| {
-        let p = v.clamp(0.01, 0.99);
-        let odds = p / (1.0 - p) * smooth.data[i].exp();
-        *v = if near(i) { odds / (1.0 + odds) } else { 0.0 };
-    });
-    (0..table.len()).map(|b| inside.0[b] * ratio(b)).sum()
+    let log_odds = box_mean(w, h, (w.max(h) / 500).max(1), &|i| table[bin(guide[i])]);
+    Evidence { log_odds, divergence: (0..table.len()).map(|b| inside.0[b] * ratio(b)).sum() }
+}
+
+/// Multiplies the mask's odds by the colour's and cubes them, in the band where the mask may move: within `reach` pixels of the line of
+/// one half, and where the mask itself doubts (0.1..0.9). Elsewhere in the box `near` the mask becomes 1 or 0. What it is
+/// sure of, more than `margin` pixels deep, stays; returns that core. Outside `near` the mask becomes 0.
+pub fn refine(log_odds: &Plane, mask: &mut Plane, near: Bounds, reach: usize, margin: usize) -> Vec<bool> {
+    let (w, h) = (mask.width, mask.height);
+    let [x0, y0, x1, y1] = near;
+    let core = eroded(w, h, margin, |i| mask.data[i] > SURE);
+    let deep = eroded(w, h, reach, |i| mask.data[i] > 0.5);
+    let close = dilated(w, h, reach, |i| mask.data[i] > 0.5);
+    for (i, v) in mask.data.iter_mut().enumerate() {
+        let doubtful = (0.1..0.9).contains(v) || close[i] != deep[i];
+        *v = if !(x0..x1).contains(&(i % w)) || !(y0..y1).contains(&(i / w)) {
+            0.0
+        } else if core[i] {
+            1.0
+        } else if doubtful {
+            let p = v.clamp(0.01, 0.99);
+            let odds = (p / (1.0 - p) * log_odds.data[i].exp()).powi(CRISP);
+            odds / (1.0 + odds)
+        } else {
+            f32::from(u8::from(*v > 0.5))
+        };
+    }
+    core
 }
 
 #[cfg(test)]
@@ -92,18 +120,43 @@ mod tests {
                 };
             }
         }
-        let divergence = refine(&guide, &mut mask, [20, 20, 40, 46]);
-        assert!(divergence > 1.0, "{divergence}");
+        let found = evidence(&guide, &mask, [5, 5, 55, 55]);
+        assert!(found.divergence > 1.0, "{}", found.divergence);
+        refine(&found.log_odds, &mut mask, [5, 5, 55, 55], 3, 1);
         assert!(mask.at(36, 30) > 0.7 && mask.at(25, 43) < 0.3 && mask.at(25, 30) > 0.95 && mask.at(2, 2) == 0.0);
+    }
+
+    #[test]
+    fn colour_bites_nothing_off_what_the_mask_is_sure_of() {
+        // A red square with a grey roof, on grey: the roof has the ground's colour.
+        let w = 60;
+        let inside = |x: usize, y: usize| (20..40).contains(&x) && (20..40).contains(&y);
+        let guide: Vec<[f32; 3]> = (0..w * w)
+            .map(|i| if inside(i % w, i / w) && i / w >= 28 { [0.8, 0.1, 0.1] } else { [0.5, 0.5, 0.5] })
+            .collect();
+        let data = (0..w * w).map(|i| if inside(i % w, i / w) { 0.85 } else { 0.05 }).collect();
+        let mut mask = Plane { width: w, height: w, data };
+        let found = evidence(&guide, &mask, [10, 10, 50, 50]);
+        let core = refine(&found.log_odds, &mut mask, [10, 10, 50, 50], 2, 1);
+        for (i, v) in mask.data.iter().enumerate() {
+            let (x, y) = (i % w, i / w);
+            let deep = (21..39).contains(&x) && (21..39).contains(&y);
+            assert_eq!(core[i], deep, "{x},{y}");
+            assert!(!deep || *v == 1.0, "{x},{y}: {v}");
+            assert!(inside(x, y) || *v < 0.2, "{x},{y}: {v}");
+        }
     }
 
     #[test]
     fn one_colour_tells_nothing() {
         let mut mask = Plane::new(30, 30, 0.2);
         (0..900).filter(|i| i % 30 > 9 && i % 30 < 20).for_each(|i| mask.data[i] = 0.9);
+        let found = evidence(&[[0.3; 3]; 900], &mask, [0, 0, 30, 30]);
+        assert!(found.divergence.abs() < 1e-4 && found.log_odds.data.iter().all(|v| v.abs() < 1e-3));
+        mask.data.iter_mut().for_each(|v| *v = v.clamp(0.15, 0.85));
         let before = mask.clone();
-        let divergence = refine(&[[0.3; 3]; 900], &mut mask, [0, 0, 30, 30]);
-        assert!(divergence.abs() < 1e-4);
-        assert!(mask.data.iter().zip(&before.data).all(|(a, b)| (a - b).abs() < 0.02));
+        refine(&found.log_odds, &mut mask, [0, 0, 30, 30], 2, 10);
+        let crisper = |a: f32, b: f32| if b > 0.5 { a > 0.99 } else { a < 0.02 };
+        assert!(mask.data.iter().zip(&before.data).all(|(a, b)| crisper(*a, *b)));
     }
 }

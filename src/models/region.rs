@@ -84,7 +84,7 @@ pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize) {
 }
 
 /// A square dilation, separable.
-fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+pub(super) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
     let spread = |count: usize, line: &dyn Fn(usize) -> bool, set: &mut dyn FnMut(usize)| {
         let mut reach = 0; // one past the last position already set
         for i in 0..count {
@@ -103,6 +103,16 @@ fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) ->
         spread(h, &|y| rows[y * w + x], &mut |y| out[y * w + x] = true);
     }
     out
+}
+
+/// A square erosion; beyond the border all counts as inside.
+pub(super) fn eroded(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+    dilated(w, h, radius, |i| !inside(i)).into_iter().map(|outside| !outside).collect()
+}
+
+/// A box grown by `by` on every side, cut at the frame.
+pub fn grown(b: Bounds, by: usize, width: usize, height: usize) -> Bounds {
+    [b[0].saturating_sub(by), b[1].saturating_sub(by), (b[2] + by).min(width), (b[3] + by).min(height)]
 }
 
 /// Fills holes (regions ≤ 0.5 that do not reach the border): small ones, and those that the mask itself half believes in.
@@ -172,6 +182,21 @@ mod tests {
                 "00000000000000",
             ])
         );
+    }
+
+    #[test]
+    fn erosion_peels_what_dilation_adds() {
+        let square = |x: usize, y: usize, low: usize, high: usize| (low..high).contains(&x) && (low..high).contains(&y);
+        let small = eroded(20, 20, 2, |i| square(i % 20, i / 20, 5, 15));
+        assert!((0..400).all(|i| small[i] == square(i % 20, i / 20, 7, 13)));
+        let back = dilated(20, 20, 2, |i| small[i]);
+        assert!((0..400).all(|i| back[i] == square(i % 20, i / 20, 5, 15)));
+        assert!(eroded(9, 9, 3, |_| true).into_iter().all(|v| v));
+    }
+
+    #[test]
+    fn a_grown_box_stays_in_the_frame() {
+        assert_eq!(grown([1, 5, 8, 9], 3, 10, 20), [0, 2, 10, 12]);
     }
 
     #[test]
