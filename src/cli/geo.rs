@@ -53,7 +53,9 @@ pub enum Device {
     Cpu,
 }
 
+/// An option given twice takes its last value, as people expect who add to a command.
 #[derive(Args, Clone, Debug)]
+#[command(args_override_self = true)]
 pub struct GeoArgs {
     /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
     pub photo: PathBuf,
