@@ -3,9 +3,13 @@
 //! Writers return bytes or [`File`]s; nothing here touches a disk.
 
 pub mod cdb;
+pub mod mesh;
 pub mod openflight;
 pub mod ply;
 pub mod sgi;
+
+pub use mesh::Mesh;
+pub use sgi::Image;
 
 /// One file of an export, relative to the export's root, `/` between folders.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,0 +1,97 @@
+//! An indexed triangle mesh: what the geometry formats write and read.
+
+use crate::{Error, Result};
+
+const FORMAT: &str = "mesh";
+
+/// An indexed triangle mesh with one normal and one texture coordinate a vertex.
+///
+/// Positions are metres, Z up; normals are unit vectors; texture coordinates have their origin at the lower-left corner
+/// of the image, v up; triangles are counter-clockwise seen from the front. The three vertex arrays have one length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    pub positions: Vec<[f64; 3]>,
+    pub normals: Vec<[f32; 3]>,
+    pub uvs: Vec<[f32; 2]>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// The smallest axis-aligned box (min, max) around all vertices, `None` without any.
+    pub fn bounds(&self) -> Option<([f64; 3], [f64; 3])> {
+        let first = *self.positions.first()?;
+        Some(self.positions.iter().fold((first, first), |(lo, hi), p| {
+            (std::array::from_fn(|a| lo[a].min(p[a])), std::array::from_fn(|a| hi[a].max(p[a])))
+        }))
+    }
+
+    /// Checks what every writer relies on: arrays of one length, finite numbers, indices in range.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] naming the first vertex or triangle that breaks the rule.
+    pub fn validate(&self) -> Result<()> {
+        let refuse = |what: String| Err(Error::Unsupported { format: FORMAT, what });
+        let count = self.positions.len();
+        if self.normals.len() != count || self.uvs.len() != count {
+            return refuse(format!(
+                "one normal and one texture coordinate a vertex are needed, found {count} positions, {} normals, {} \
+                 texture coordinates",
+                self.normals.len(),
+                self.uvs.len()
+            ));
+        }
+        if let Some(i) = self.positions.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+            return refuse(format!("position {i} is not finite: {:?}", self.positions[i]));
+        }
+        if let Some(i) = self.normals.iter().position(|n| !n.iter().all(|x| x.is_finite())) {
+            return refuse(format!("normal {i} is not finite: {:?}", self.normals[i]));
+        }
+        if let Some(i) = self.uvs.iter().position(|uv| !uv.iter().all(|x| x.is_finite())) {
+            return refuse(format!("texture coordinate {i} is not finite: {:?}", self.uvs[i]));
+        }
+        if let Some(i) = self.triangles.iter().position(|t| t.iter().any(|&v| v as usize >= count)) {
+            return refuse(format!("triangle {i} names vertices {:?}, but there are only {count}", self.triangles[i]));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle() -> Mesh {
+        Mesh {
+            positions: vec![[0.0, 0.0, 0.0], [2.0, 0.0, -1.0], [0.0, 3.0, 0.5]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            uvs: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2]],
+        }
+    }
+
+    #[test]
+    fn bounds_enclose_every_vertex() {
+        assert_eq!(Mesh::default().bounds(), None);
+        assert_eq!(triangle().bounds(), Some(([0.0, 0.0, -1.0], [2.0, 3.0, 0.5])));
+    }
+
+    #[test]
+    fn validation_names_the_fault() {
+        assert_eq!(triangle().validate(), Ok(()));
+        let mut m = triangle();
+        m.triangles.push([0, 1, 3]);
+        assert!(m.validate().unwrap_err().to_string().contains("triangle 1 names vertices [0, 1, 3]"));
+        let mut m = triangle();
+        m.positions[2][1] = f64::NAN;
+        assert!(m.validate().unwrap_err().to_string().contains("position 2 is not finite"));
+        let mut m = triangle();
+        m.normals[1][0] = f32::INFINITY;
+        assert!(m.validate().unwrap_err().to_string().contains("normal 1 is not finite"));
+        let mut m = triangle();
+        m.uvs[0][0] = f32::NAN;
+        assert!(m.validate().unwrap_err().to_string().contains("texture coordinate 0 is not finite"));
+        let mut m = triangle();
+        m.uvs.pop();
+        assert!(m.validate().unwrap_err().to_string().contains("3 positions, 3 normals, 2 texture"));
+    }
+}
