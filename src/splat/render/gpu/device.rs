@@ -182,34 +182,32 @@ impl Gpu {
     }
 
     fn test(&mut self, offered: Features) -> Result<()> {
-        self.abilities.swap_atomics = self.sums(include_str!("../../../../shaders/selftest.wgsl"));
+        self.abilities.swap_atomics = self.sums(include_str!("../../../../shaders/selftest.wgsl"))?;
         if offered.contains(Features::SHADER_FLOAT32_ATOMIC) {
-            self.abilities.float_atomics = self.sums(include_str!("../../../../shaders/selftest_float.wgsl"));
+            self.abilities.float_atomics = self.sums(include_str!("../../../../shaders/selftest_float.wgsl"))?;
         }
         if offered.contains(Features::SUBGROUP | Features::SUBGROUP_BARRIER) {
-            self.abilities.lanes = self.lanes();
+            self.abilities.lanes = self.lanes()?;
             self.abilities.subgroups = self.abilities.lanes > 1;
         }
-        // What the tests found wanting has been noted; anything else is the device's failure.
         self.check()
     }
 
     /// Whether the kernel's eight sums are right: thread i of 16,384 adds i % 4 + 1 to place i % 8.
-    fn sums(&self, source: &str) -> bool {
-        let out = self.run_test(source, 8 * 4);
+    fn sums(&self, source: &str) -> Result<bool> {
+        let out = self.run_test(source, 8 * 4)?;
         let expected: Vec<f32> = (0..8).map(|k| 2048.0 * (k % 4 + 1) as f32).collect();
-        out.is_some_and(|bytes| bytemuck::pod_collect_to_vec::<u8, f32>(&bytes) == expected)
+        Ok(bytemuck::pod_collect_to_vec::<u8, f32>(&out) == expected)
     }
 
     /// Lanes of a subgroup, or 1 where subgroups do not do as they should.
-    fn lanes(&self) -> u32 {
-        let source = concat!("enable subgroups;\n", include_str!("../../../../shaders/selftest_subgroup.wgsl"));
-        let Some(bytes) = self.run_test(source, 256 * 16) else { return 1 };
+    fn lanes(&self) -> Result<u32> {
+        let bytes = self.run_test(include_str!("../../../../shaders/selftest_subgroup.wgsl"), 256 * 16)?;
         let out: Vec<[u32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let lanes = out[0][2];
         // The rasteriser's blocks are powers of two and a whole number of them a tile.
         if !(lanes.is_power_of_two() && (2..=128).contains(&lanes)) {
-            return 1;
+            return Ok(1);
         }
         let mut met = [false; 256];
         let right = out.iter().all(|o| {
@@ -218,11 +216,11 @@ impl Gpu {
             let first = place < 256 && !std::mem::replace(&mut met[place as usize], true);
             first && size == lanes && before == lane / 2 && sum == lanes * (lanes - 1) / 2
         });
-        if right { lanes } else { 1 }
+        Ok(if right { lanes } else { 1 })
     }
 
-    /// One dispatch of a self-test; None where the kernel was refused or failed.
-    fn run_test(&self, source: &str, bytes: u64) -> Option<Vec<u8>> {
+    /// One dispatch of a self-test. A kernel that is refused is an error, not a missing ability.
+    fn run_test(&self, source: &str, bytes: u64) -> Result<Vec<u8>> {
         let out = self.buffer("self-test", bytes);
         let pipeline = compile(self, "self-test", source, &[]);
         let group = super::kernel::group(self, &pipeline, 0, &[Binding::Whole(&out)]);
@@ -234,9 +232,8 @@ impl Gpu {
             pass.dispatch_workgroups(if bytes == 32 { 64 } else { 1 }, 1, 1);
         }
         self.queue.submit([encoder.finish()]);
-        let result = read(self, &out, bytes).ok();
-        let failed = self.failure.lock().unwrap_or_else(|p| p.into_inner()).take().is_some();
-        if failed { None } else { result }
+        let result = read(self, &out, bytes);
+        result
     }
 
     /// A storage buffer that kernels and copies may read and write.

@@ -1,6 +1,7 @@
 //! Compiling kernels, binding buffers to them, reading buffers back.
 
 use std::sync::mpsc;
+use std::time::Duration;
 
 use wgpu::{BindGroup, Buffer, BufferAddress, ComputePass, ComputePipeline};
 
@@ -105,7 +106,8 @@ pub fn read(gpu: &Gpu, buffer: &Buffer, bytes: u64) -> Result<Vec<u8>> {
     });
     gpu.wait()?;
     let failed = |found: String| Error::environment(gpu.adapter.name.clone()).expected("a read back").found(found);
-    match hear.try_recv() {
+    // Another thread's wait may be what calls back, a moment after ours has ended.
+    match hear.recv_timeout(Duration::from_secs(60)) {
         Ok(Ok(())) => {}
         Ok(Err(e)) => return Err(failed(e.to_string())),
         Err(e) => return Err(failed(e.to_string())),

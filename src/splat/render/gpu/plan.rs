@@ -187,10 +187,7 @@ impl Plan {
         constants.extend(places);
         let emit = compile(gpu, "emit", sources!("view", "tiles", "blocks", "splats", "emit"), &places);
         let raster = if shape.subgroups {
-            let source = concat!(
-                "enable subgroups;\n",
-                sources!("view", "splats", "pixels", "finish", "raster_subgroup")
-            );
+            let source = sources!("view", "splats", "pixels", "finish", "raster_subgroup");
             compile(gpu, "raster_subgroup", source, &constants)
         } else {
             compile(gpu, "raster_shared", sources!("view", "splats", "pixels", "finish", "raster_shared"), &constants)
@@ -227,10 +224,7 @@ impl Plan {
             },
         );
         let ends = step(&kernels.ranges, &[&view, &counts, sorted_tiles, &ranges].map(Whole), indirect(3));
-        let mut bindings = [&view, &ranges, sorted_ids, &picture].map(Whole).to_vec();
-        if shape.depth {
-            bindings.push(Whole(&depths));
-        }
+        let bindings = [&view, &ranges, sorted_ids, &picture, &depths].map(Whole);
         let raster = with_splats(raster, &bindings, Size::Direct(tiles_x, shape.band));
         Plan {
             shape,
