@@ -15,8 +15,8 @@ const LARGE: u32 = 32u;
 @group(0) @binding(6) var<storage, read_write> pair_gaussians: array<u32>;
 
 var<workgroup> sums: array<u32, 256>;
-// Gaussian, first place, number of places.
-var<workgroup> large: array<vec3<u32>, 1024>;
+// Gaussian, and its first place.
+var<workgroup> large: array<vec2<u32>, 1024>;
 var<workgroup> large_count: atomic<u32>;
 var<workgroup> cursor: atomic<u32>;
 
@@ -77,7 +77,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     var start = block_sums[group.x] + sums[lane] - sum;
     for (var i = 0u; i < SCAN_ITEMS; i++) {
         if (rooms[i] > LARGE) {
-            large[atomicAdd(&large_count, 1u)] = vec3(ids[i], start, rooms[i]);
+            large[atomicAdd(&large_count, 1u)] = vec2(ids[i], start);
         } else if (rooms[i] > 0u) {
             small(ids[i], start, rooms[i]);
         }
@@ -92,7 +92,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         workgroupBarrier();
         let id = large[k].x;
         let first = large[k].y;
-        let room = large[k].z;
+        let room = touched[id];
         let splat = fetch(id);
         let rows = tile_rows(splat.place, view);
         // A row of tiles a thread while there are more rows than threads, else a few threads a row.

@@ -24,6 +24,17 @@ var<workgroup> offsets: array<u32, 256>;
 // Word w of digit d stands at 256 w + d: neighbours in different banks.
 var<workgroup> masks: array<atomic<u32>, 2048>;
 
+// Key and value.
+fn load(at: u32, n: u32) -> vec2<u32> {
+    if (at >= n) {
+        return vec2(0u);
+    }
+    if (step.index != 0u) {
+        return vec2(keys_in[at], at);
+    }
+    return vec2(keys_in[at], values_in[at]);
+}
+
 @compute @workgroup_size(256)
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let n = counts[step.slot];
@@ -46,17 +57,16 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     offsets[lane] = offsets[lane] - total + table[lane * blocks + group.x];
     let word = lane / 32u;
     let bit = lane % 32u;
+    var at = group.x * RADIX_BLOCK + lane;
+    var ahead = load(at, n);
     for (var i = 0u; i < RADIX_ITEMS; i++) {
-        let at = group.x * RADIX_BLOCK + i * 256u + lane;
-        var key = 0u;
-        var value = at;
-        var live = at < n;
-        if (live) {
-            key = keys_in[at];
-            live = step.keep != 0u || key != 0xffffffffu;
-            if (step.index == 0u) {
-                value = values_in[at];
-            }
+        let key = ahead.x;
+        let value = ahead.y;
+        let live = at < n && (step.keep != 0u || key != 0xffffffffu);
+        at += 256u;
+        // The next pair is on its way while this one is ranked.
+        if (i + 1u < RADIX_ITEMS) {
+            ahead = load(at, n);
         }
         let digit = (key >> step.shift) & 255u;
         if (live) {

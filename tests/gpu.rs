@@ -82,7 +82,8 @@ fn compare(got: &Frame, want: &Frame, what: &str) {
         assert!(worst < 0.02, "{what}: pixel ({}, {}) is {worst} off", i % got.width, i / got.width);
         let depth = (got.depth[i] - want.depth[i]).abs() / want.depth[i].max(1.0);
         off += usize::from(worst > 1e-4 || (depth > 1e-4 && want.alpha[i] > 0.02));
-        off_median += usize::from((got.median_depth[i] - want.median_depth[i]).abs() > 1e-4 * want.median_depth[i].max(1.0));
+        off_median +=
+            usize::from((got.median_depth[i] - want.median_depth[i]).abs() > 1e-4 * want.median_depth[i].max(1.0));
     }
     assert!(off * 2000 <= pixels, "{what}: {off} of {pixels} pixels are more than 1e-4 off");
     assert!(off_median * 500 <= pixels, "{what}: {off_median} of {pixels} median depths differ");
@@ -105,7 +106,18 @@ fn both(gpu: &Gpu, g: &Gaussians, camera: &Camera, background: [f32; 3], what: &
 fn sort_is_stable_and_agrees_with_the_standard_library() {
     let Some(gpu) = gpu() else { return };
     let r = &mut Random(3);
-    for (n, bits) in [(0, 32), (1, 8), (255, 13), (256, 1), (257, 32), (4095, 9), (4096, 16), (4097, 31), (70_001, 32), (1_100_000, 13)] {
+    for (n, bits) in [
+        (0, 32),
+        (1, 8),
+        (255, 13),
+        (256, 1),
+        (257, 32),
+        (4095, 9),
+        (4096, 16),
+        (4097, 31),
+        (70_001, 32),
+        (1_100_000, 13),
+    ] {
         let mask = if bits == 32 { u32::MAX } else { (1 << bits) - 1 };
         let keys: Vec<u32> = (0..n).map(|_| r.bits() as u32 & mask).collect();
         let values: Vec<u32> = (0..n as u32).collect();
@@ -130,7 +142,8 @@ fn pictures_are_those_of_the_cpu() {
     .enumerate()
     {
         let seed = i as u64;
-        let got = both(gpu, &scene(n, low, high, seed), &camera(w, h, seed), [0.2, 0.4, 0.9], &format!("{n} Gaussians"));
+        let got =
+            both(gpu, &scene(n, low, high, seed), &camera(w, h, seed), [0.2, 0.4, 0.9], &format!("{n} Gaussians"));
         if n >= 300 {
             let drawn = got.alpha.iter().filter(|a| **a > 0.5).count();
             assert!(drawn * 4 > got.alpha.len(), "{n} Gaussians cover {drawn} pixels: too few to compare");
@@ -178,7 +191,9 @@ fn huge_and_needle_thin_gaussians() {
 fn values_that_are_not_finite_are_left_out() {
     let Some(gpu) = gpu() else { return };
     let mut g = scene(600, -4.0, -2.0, 6);
-    for (i, bad) in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN_POSITIVE / 4.0].into_iter().enumerate() {
+    for (i, bad) in
+        [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN_POSITIVE / 4.0].into_iter().enumerate()
+    {
         let at = 10 * i;
         g.positions[at].y = bad;
         g.log_scales[at + 1].x = bad;

@@ -17,8 +17,8 @@ const MOST_PIXELS: u32 = 32_768;
 /// Errors: usage, naming the file and the camera.
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<(String, Camera)>> {
     let wrong = |at: &str| Error::usage(format!("{}{at}", path.display()));
-    let json: Value = serde_json::from_slice(bytes)
-        .map_err(|e| wrong("").expected("a camera list in JSON").found(e.to_string()))?;
+    let json: Value =
+        serde_json::from_slice(bytes).map_err(|e| wrong("").expected("a camera list in JSON").found(e.to_string()))?;
     let (list, matrix) = match (&json["cameras"], &json["views"]) {
         (Value::Array(list), _) => (list, "world_to_camera"),
         (_, Value::Array(list)) => (list, "w2c_opencv"),

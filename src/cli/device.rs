@@ -1,7 +1,7 @@
 //! `--device`: the GPU, the CPU, or the better of what is there.
 
-use crate::splat::render::gpu::Gpu;
 use crate::Result;
+use crate::splat::render::gpu::Gpu;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Device {

@@ -77,8 +77,10 @@ pub fn run(
         frames.push(write(name, camera, &frame, args.depth, put)?);
         progress.step(i as u64 + 1);
     }
-    let list = json!({ "convention": "OpenCV: x right, y down, z forward; row-major world_to_camera", "cameras": frames });
-    let mut text = serde_json::to_vec_pretty(&list).map_err(|e| Error::environment("frames.json").found(e.to_string()))?;
+    let list =
+        json!({ "convention": "OpenCV: x right, y down, z forward; row-major world_to_camera", "cameras": frames });
+    let mut text =
+        serde_json::to_vec_pretty(&list).map_err(|e| Error::environment("frames.json").found(e.to_string()))?;
     text.push(b'\n');
     put("frames.json", &text)
 }
@@ -106,8 +108,7 @@ fn write(
     put: &mut dyn FnMut(&str, &[u8]) -> Result<()>,
 ) -> Result<serde_json::Value> {
     let file = format!("{name}.png");
-    let bytes: Vec<u8> =
-        frame.color.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8).collect();
+    let bytes: Vec<u8> = frame.color.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8).collect();
     put(&file, &png(frame, &bytes, ExtendedColorType::Rgb8)?)?;
     let rows: Vec<Vec<f32>> = (0..4)
         .map(|i| match i {

@@ -3,6 +3,7 @@
 use wgpu::Buffer;
 
 use super::device::Gpu;
+use super::plan::SCAN_BLOCK;
 use crate::splat::Gaussians;
 use crate::{Error, Result};
 
@@ -51,8 +52,8 @@ impl Scene {
         // A multiple of 256 keeps every chunk's offset aligned.
         let most = (limit / HARMONICS / 256 * 256).clamp(256, MOST_GROUPS as u64 * 256) as usize;
         let part = most as u64 * (limit / SPLAT / most as u64).max(1);
-        // Keys and values of the sorts are one word a Gaussian.
-        let room = (part * PARTS as u64).min(limit / 4).min(u32::MAX as u64 / 2);
+        // Keys and values of the sorts are one word a Gaussian; one dispatch must reach all of them.
+        let room = (part * PARTS as u64).min(limit / 4).min(u64::from(MOST_GROUPS * SCAN_BLOCK));
         if g.len() as u64 > room {
             return Err(Error::environment(gpu.adapter.name.clone())
                 .expected(format!("at most {room} Gaussians, from a binding limit of {limit} bytes"))

@@ -134,9 +134,8 @@ impl Gpu {
             required_limits: adapter.limits(),
             ..Default::default()
         };
-        let (device, queue) = ready(adapter.request_device(&descriptor)).map_err(|e| {
-            Error::environment(described.name.clone()).expected("a device").found(e.to_string())
-        })?;
+        let (device, queue) = ready(adapter.request_device(&descriptor))
+            .map_err(|e| Error::environment(described.name.clone()).expected("a device").found(e.to_string()))?;
         let failure = Arc::new(Mutex::new(None));
         let slot = failure.clone();
         device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| {
@@ -232,8 +231,7 @@ impl Gpu {
             pass.dispatch_workgroups(if bytes == 32 { 64 } else { 1 }, 1, 1);
         }
         self.queue.submit([encoder.finish()]);
-        let result = read(self, &out, bytes);
-        result
+        read(self, &out, bytes)
     }
 
     /// A storage buffer that kernels and copies may read and write.

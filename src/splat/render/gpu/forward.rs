@@ -2,12 +2,12 @@
 
 use wgpu::{Buffer, BufferUsages};
 
-use super::buffers::Scene;
+use super::buffers::{MOST_GROUPS, Scene};
 use super::device::Gpu;
 use super::kernel::read;
-use super::plan::{ALL, COUNTS, Kernels, Plan, Shape, TILE, View};
-use crate::splat::render::Frame;
+use super::plan::{ALL, COUNTS, Kernels, Plan, RANGE_BLOCK, Shape, TILE, View};
 use crate::splat::Camera;
+use crate::splat::render::Frame;
 use crate::{Error, Result};
 
 /// The stages of a picture, in order.
@@ -56,6 +56,11 @@ pub struct Renderer<'a> {
     pub subgroups: bool,
 }
 
+/// Pairs that one binding holds and one dispatch reaches.
+fn most_pairs(gpu: &Gpu) -> u64 {
+    (gpu.adapter.largest_binding / 4).min(u64::from(MOST_GROUPS * RANGE_BLOCK))
+}
+
 impl<'a> Renderer<'a> {
     pub fn new(gpu: &'a Gpu) -> Result<Self> {
         let queries = gpu.abilities.timestamps.then(|| {
@@ -77,7 +82,7 @@ impl<'a> Renderer<'a> {
             plan: None,
             room: 0,
             bands: 1,
-            most: gpu.adapter.largest_binding / 4,
+            most: most_pairs(gpu),
             log: gpu.buffer("log", LOG * COUNTS * 4),
             logged: 0,
             queries,
@@ -91,7 +96,7 @@ impl<'a> Renderer<'a> {
 
     /// Allows lists of at most `pairs` pairs, below what the adapter could bind: larger pictures are cut into bands.
     pub fn limit_pairs(&mut self, pairs: u64) {
-        self.most = pairs.min(self.gpu.adapter.largest_binding / 4);
+        self.most = pairs.min(most_pairs(self.gpu));
         self.plan = None;
     }
 
@@ -143,8 +148,7 @@ impl<'a> Renderer<'a> {
         let bytes = read(self.gpu, &self.log, self.logged * COUNTS * 4)?;
         self.logged = 0;
         let words: Vec<[u32; COUNTS as usize]> = bytemuck::pod_collect_to_vec(&bytes);
-        let counted: Vec<_> =
-            words.iter().map(|w| Counted { seen: w[0], pairs: w[6], drawn: w[5] == 0 }).collect();
+        let counted: Vec<_> = words.iter().map(|w| Counted { seen: w[0], pairs: w[6], drawn: w[5] == 0 }).collect();
         if let Some(wanted) = counted.iter().filter(|c| !c.drawn).map(|c| c.pairs).max() {
             self.grow(wanted)?;
         }
@@ -179,7 +183,7 @@ impl<'a> Renderer<'a> {
             room: self.room.max(guess).min(self.most).min(u32::MAX.into()) as u32,
             band: rows.div_ceil(self.bands),
             depth: self.depth,
-            subgroups: self.subgroups,
+            subgroups: self.subgroups && self.gpu.abilities.subgroups,
         }
     }
 
@@ -188,7 +192,7 @@ impl<'a> Renderer<'a> {
         if pixels == 0 {
             return Err(Error::usage("camera").expected("at least one pixel").found("none"));
         }
-        if pixels * 16 > self.gpu.adapter.largest_binding || camera.width.div_ceil(TILE) > 65_535 {
+        if pixels * 16 > self.gpu.adapter.largest_binding || camera.width.div_ceil(TILE) > MOST_GROUPS {
             return Err(Error::environment(self.gpu.adapter.name.clone())
                 .expected(format!("at most {} pixels a picture", self.gpu.adapter.largest_binding / 16))
                 .found(format!("{} × {}", camera.width, camera.height))
@@ -202,7 +206,7 @@ impl<'a> Renderer<'a> {
         let plan = match self.plan.take() {
             Some(plan) if plan.shape == shape && plan.scene == scene.id => plan,
             _ => {
-                let plan = Plan::new(self.gpu, &self.kernels, scene, shape);
+                let plan = Plan::new(self.gpu, &mut self.kernels, scene, shape);
                 self.gpu.check()?;
                 plan
             }

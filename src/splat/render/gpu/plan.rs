@@ -11,7 +11,8 @@ use crate::splat::Camera;
 /// Pixels along a tile's side.
 pub const TILE: u32 = 16;
 /// As in shaders/blocks.wgsl.
-const SCAN_BLOCK: u32 = 1024;
+pub const SCAN_BLOCK: u32 = 1024;
+pub const RANGE_BLOCK: u32 = 2048;
 /// Words of the counts that `plan.wgsl` writes.
 pub const COUNTS: u64 = 8;
 /// The word of the counts that is not cleared from picture to picture: the scene's Gaussians.
@@ -60,6 +61,17 @@ pub struct Kernels {
     scan_reduce: ComputePipeline,
     scan_blocks: ComputePipeline,
     ranges: ComputePipeline,
+    /// Emit and raster, compiled for what they were asked for so far.
+    variants: Vec<(Variant, ComputePipeline, ComputePipeline)>,
+}
+
+/// What emit and raster are compiled for.
+#[derive(Clone, Copy, PartialEq)]
+struct Variant {
+    parts: usize,
+    part: u32,
+    depth: bool,
+    subgroups: bool,
 }
 
 impl Kernels {
@@ -71,7 +83,25 @@ impl Kernels {
             scan_reduce: compile(gpu, "scan_reduce", sources!("blocks", "scan_reduce"), &[]),
             scan_blocks: compile(gpu, "scan_blocks", sources!("blocks", "scan_blocks"), &[]),
             ranges: compile(gpu, "ranges", sources!("view", "blocks", "ranges"), &[]),
+            variants: Vec::new(),
         }
+    }
+
+    fn variant(&mut self, gpu: &Gpu, wanted: Variant) -> (ComputePipeline, ComputePipeline) {
+        if let Some((_, emit, raster)) = self.variants.iter().find(|v| v.0 == wanted) {
+            return (emit.clone(), raster.clone());
+        }
+        let parts = [("PARTS", wanted.parts as f64), ("PART", f64::from(wanted.part))];
+        let emit = compile(gpu, "emit", sources!("view", "tiles", "blocks", "splats", "emit"), &parts);
+        let (name, source) = if wanted.subgroups {
+            ("raster_subgroup", sources!("view", "splats", "pixels", "finish", "raster_subgroup"))
+        } else {
+            ("raster_shared", sources!("view", "splats", "pixels", "finish", "raster_shared"))
+        };
+        let constants = [parts[0], parts[1], ("DEPTH", f64::from(u8::from(wanted.depth)))];
+        let raster = compile(gpu, name, source, &constants);
+        self.variants.push((wanted, emit.clone(), raster.clone()));
+        (emit, raster)
     }
 }
 
@@ -110,7 +140,7 @@ pub struct Plan {
 
 impl Plan {
     /// Errors show in [`Gpu::check`].
-    pub fn new(gpu: &Gpu, kernels: &Kernels, scene: &Scene, shape: Shape) -> Plan {
+    pub fn new(gpu: &Gpu, kernels: &mut Kernels, scene: &Scene, shape: Shape) -> Plan {
         use Binding::{Part, Whole};
         let n = u64::from(scene.count);
         let room = u64::from(shape.room);
@@ -182,16 +212,8 @@ impl Plan {
         let sorted = sort::passes(bits) % 2;
         let (tiles, ids) = ([&tiles_a, &tiles_b], [&ids_a, &ids_b]);
         let (sorted_tiles, sorted_ids) = (tiles[sorted], ids[sorted]);
-        let mut constants = vec![("DEPTH", f64::from(u8::from(shape.depth)))];
-        let places = [("PARTS", parts.len() as f64), ("PART", f64::from(scene.part))];
-        constants.extend(places);
-        let emit = compile(gpu, "emit", sources!("view", "tiles", "blocks", "splats", "emit"), &places);
-        let raster = if shape.subgroups {
-            let source = sources!("view", "splats", "pixels", "finish", "raster_subgroup");
-            compile(gpu, "raster_subgroup", source, &constants)
-        } else {
-            compile(gpu, "raster_shared", sources!("view", "splats", "pixels", "finish", "raster_shared"), &constants)
-        };
+        let variant = Variant { parts: parts.len(), part: scene.part, depth: shape.depth, subgroups: shape.subgroups };
+        let (emit, raster) = kernels.variant(gpu, variant);
         // Unused parts are bound to the first.
         let splats: Vec<&Buffer> = (0..PARTS).map(|p| parts.get(p).unwrap_or(&parts[0])).collect();
         let with_splats = |kernel: ComputePipeline, bindings: &[Binding], size: Size| {

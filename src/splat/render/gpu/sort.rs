@@ -138,7 +138,7 @@ pub fn sort_pairs(gpu: &Gpu, keys: &[u32], values: &[u32], bits: u32) -> Result<
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     sort.record(&mut encoder.begin_compute_pass(&Default::default()));
     gpu.queue.submit([encoder.finish()]);
-    let (keys, values) = if passes(bits) % 2 == 0 { (&k0, &v0) } else { (&k1, &v1) };
+    let (keys, values) = if passes(bits).is_multiple_of(2) { (&k0, &v0) } else { (&k1, &v1) };
     let words = |b: &Buffer| read(gpu, b, bytes).map(|bytes| bytemuck::pod_collect_to_vec(&bytes));
     if n == 0 { Ok(Default::default()) } else { Ok((words(keys)?, words(values)?)) }
 }
