@@ -1,4 +1,4 @@
-// Radix, first step of a pass: how often each of 256 digits occurs in each block of 4,096 keys. 256 threads a block.
+// Radix, first step of a pass: how often each of 256 digits occurs in each block of 2,048 keys. 256 threads a block.
 //
 // table[digit · blocks + block] = number of keys of the block whose digit it is. Keys CULLED count only if `keep` is set.
 

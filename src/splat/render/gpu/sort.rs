@@ -9,7 +9,7 @@ use super::kernel::{Binding, Size, Step, compile, group, read};
 use crate::Result;
 
 /// Keys that one workgroup takes on, as in shaders/blocks.wgsl.
-pub const BLOCK: u32 = 4096;
+pub const BLOCK: u32 = 2048;
 
 /// The compiled kernels.
 pub struct Radix {
