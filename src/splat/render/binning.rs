@@ -126,6 +126,28 @@ impl Kernel for Project<'_> {
     }
 }
 
+struct Gather<'a> {
+    projected: &'a [(Splat, Bounds)],
+    tiles: (usize, usize),
+    start: usize,
+    splats: &'a mut [Splat],
+    order: &'a [(u32, u32)],
+    spans: &'a mut Vec<Span>,
+}
+
+impl Kernel for Gather<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        self.spans.clear();
+        for (i, (splat, o)) in self.splats.iter_mut().zip(self.order).enumerate() {
+            let (s, bounds) = &self.projected[o.1 as usize];
+            *splat = *s;
+            rows(s, bounds, self.tiles, (self.start + i) as u32, self.spans);
+        }
+    }
+}
+
 impl Bins {
     /// Projects, sorts and bins. Harmonics above `degree` count as 0.
     pub fn build(&mut self, gaussians: &Packed, view: &View, degree: usize) {
@@ -194,12 +216,7 @@ impl Bins {
             .zip(self.spans.par_iter_mut())
             .enumerate()
             .for_each(|(chunk, ((splats, order), spans))| {
-                spans.clear();
-                for (i, (splat, o)) in splats.iter_mut().zip(order).enumerate() {
-                    let (s, bounds) = &projected[o.1 as usize];
-                    *splat = *s;
-                    rows(s, bounds, tiles, (chunk * CHUNK + i) as u32, spans);
-                }
+                dispatch(Gather { projected, tiles, start: chunk * CHUNK, splats, order, spans });
             });
     }
 
@@ -254,6 +271,7 @@ impl Bins {
 }
 
 /// For every tile row that the ellipse reaches, the tiles whose pixel centres it can hold.
+#[inline(always)]
 fn rows(s: &Splat, b: &Bounds, (tiles_x, tiles_y): (usize, usize), rank: u32, out: &mut Vec<Span>) {
     const T: f32 = TILE as f32;
     // Rounding must not lose a pixel that the exact ellipse holds.

@@ -1,5 +1,8 @@
 //! Rendering on the CPU: projection → binning → raster_forward, and raster_backward → projection on the way back.
 
+// Matrices are written with their indices, as in the papers.
+#![allow(clippy::needless_range_loop)]
+
 pub(crate) mod binning;
 mod cpu;
 pub mod gpu;

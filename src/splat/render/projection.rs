@@ -19,6 +19,11 @@ pub const MIN_TRANSMITTANCE: f32 = 1e-4;
 type V3 = [f32; 3];
 type M3 = [[f32; 3]; 3];
 
+/// [f(0), f(1), f(2)]. Not `array::from_fn`, which is not always inlined and then loses the wide instructions.
+#[inline(always)]
+fn three<T>(f: impl Fn(usize) -> T) -> [T; 3] {
+    [f(0), f(1), f(2)]
+}
 #[inline(always)]
 fn dot(a: V3, b: V3) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -29,7 +34,7 @@ fn apply(m: &M3, v: V3) -> V3 {
 }
 #[inline(always)]
 fn apply_transposed(m: &M3, v: V3) -> V3 {
-    std::array::from_fn(|j| m[0][j] * v[0] + m[1][j] * v[1] + m[2][j] * v[2])
+    three(|j| m[0][j] * v[0] + m[1][j] * v[1] + m[2][j] * v[2])
 }
 #[inline(always)]
 fn cross(a: V3, b: V3) -> V3 {
@@ -99,37 +104,35 @@ impl Geometry {
     /// None for a Gaussian that cannot be seen: behind, too faint, or not finite. NaN fails every comparison.
     #[inline(always)]
     pub fn new(core: &Core, view: &View) -> Option<Self> {
-        let p: V3 = std::array::from_fn(|i| core[POSITION + i]);
+        let p: V3 = three(|i| core[POSITION + i]);
         let c = apply(&view.rotation, p);
-        let point: V3 = std::array::from_fn(|i| c[i] + view.translation[i]);
+        let point: V3 = three(|i| c[i] + view.translation[i]);
         let z = point[2];
         let opacity = 1.0 / (1.0 + (-core[OPACITY]).exp());
         if !(z > NEAR && z < 1e10 && opacity >= MIN_ALPHA) {
             return None;
         }
-        let q: [f32; 4] = std::array::from_fn(|i| core[ROTATION + i]);
+        let q = [core[ROTATION], core[ROTATION + 1], core[ROTATION + 2], core[ROTATION + 3]];
         let inverse_norm = 1.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
-        let quaternion: [f32; 4] = q.map(|v| v * inverse_norm);
-        let [w, x, y, zq] = quaternion;
+        let [w, x, y, zq] = [q[0] * inverse_norm, q[1] * inverse_norm, q[2] * inverse_norm, q[3] * inverse_norm];
+        let quaternion = [w, x, y, zq];
         let rotation = [
             [1.0 - 2.0 * (y * y + zq * zq), 2.0 * (x * y - w * zq), 2.0 * (x * zq + w * y)],
             [2.0 * (x * y + w * zq), 1.0 - 2.0 * (x * x + zq * zq), 2.0 * (y * zq - w * x)],
             [2.0 * (x * zq - w * y), 2.0 * (y * zq + w * x), 1.0 - 2.0 * (x * x + y * y)],
         ];
-        let scale: V3 = std::array::from_fn(|i| core[SCALE + i].exp());
-        let m: M3 = std::array::from_fn(|i| std::array::from_fn(|j| rotation[i][j] * scale[j]));
-        let axes: M3 = std::array::from_fn(|i| {
+        let scale: V3 = three(|i| core[SCALE + i].exp());
+        let m: M3 = three(|i| three(|j| rotation[i][j] * scale[j]));
+        let axes: M3 = three(|i| {
             let r = view.rotation[i];
-            std::array::from_fn(|j| r[0] * m[0][j] + r[1] * m[1][j] + r[2] * m[2][j])
+            three(|j| r[0] * m[0][j] + r[1] * m[1][j] + r[2] * m[2][j])
         });
         let iz = 1.0 / z;
         let raw = [point[0] * iz, point[1] * iz];
         let tan = [raw[0].max(view.limit_x[0]).min(view.limit_x[1]), raw[1].max(view.limit_y[0]).min(view.limit_y[1])];
         let (jx, jy) = (view.fx * iz, view.fy * iz);
-        let n: [V3; 2] = [
-            std::array::from_fn(|j| jx * (axes[0][j] - tan[0] * axes[2][j])),
-            std::array::from_fn(|j| jy * (axes[1][j] - tan[1] * axes[2][j])),
-        ];
+        let n: [V3; 2] =
+            [three(|j| jx * (axes[0][j] - tan[0] * axes[2][j])), three(|j| jy * (axes[1][j] - tan[1] * axes[2][j]))];
         let (xx, xy, yy) = (dot(n[0], n[0]), dot(n[0], n[1]), dot(n[1], n[1]));
         // det(N Nᵀ + ε I) = |n₀ × n₁|² + ε (|n₀|² + |n₁|²) + ε²: nothing cancels, however long and thin.
         let area = cross(n[0], n[1]);
@@ -174,11 +177,11 @@ impl Geometry {
 /// Colour before the clamp at 0, the unit direction and 1 / distance.
 #[inline(always)]
 pub fn color(core: &Core, coefficients: &Sh, view: &View, degree: usize) -> (V3, V3, f32, [f32; 16]) {
-    let d: V3 = std::array::from_fn(|i| core[POSITION + i] - view.eye[i]);
+    let d: V3 = three(|i| core[POSITION + i] - view.eye[i]);
     let inverse = 1.0 / dot(d, d).sqrt().max(1e-20);
-    let d = d.map(|v| v * inverse);
+    let d = three(|i| d[i] * inverse);
     let b = sh::basis(d, degree);
-    let rgb = std::array::from_fn(|c| {
+    let rgb = three(|c| {
         let k = &coefficients[c * 16..c * 16 + 16];
         let mut lanes = [0.0f32; 4];
         for i in 0..16 {
@@ -235,7 +238,7 @@ pub fn backward(core: &Core, coefficients: &Sh, view: &View, degree: usize, up: 
     }
     let along = sh::weighted_gradient(d, &weights, degree);
     let radial = dot(along, d);
-    let direction: V3 = std::array::from_fn(|i| (along[i] - radial * d[i]) * inverse_distance);
+    let direction: V3 = three(|i| (along[i] - radial * d[i]) * inverse_distance);
 
     // Alpha = o · exp(−½ (a dx² + 2 b dx dy + c dy²)).
     out.core[OPACITY] = up.g * (1.0 - g.opacity);
@@ -246,18 +249,16 @@ pub fn backward(core: &Core, coefficients: &Sh, view: &View, degree: usize, up: 
     // ∂L/∂covariance = −P V P.
     let (ta, tb, tc, td) = (a * va + b * vb, a * vb + b * vc, b * va + c * vb, b * vb + c * vc);
     let (ga, gb, gc) = (-(ta * a + tb * b), -(ta * b + tb * c), -(tc * b + td * c));
-    let dn: [V3; 2] = [
-        std::array::from_fn(|j| 2.0 * (ga * g.n[0][j] + gb * g.n[1][j])),
-        std::array::from_fn(|j| 2.0 * (gb * g.n[0][j] + gc * g.n[1][j])),
-    ];
+    let dn: [V3; 2] =
+        [three(|j| 2.0 * (ga * g.n[0][j] + gb * g.n[1][j])), three(|j| 2.0 * (gb * g.n[0][j] + gc * g.n[1][j]))];
 
     // N = J · axes with J = [[jx, 0, −jx·tan₀], [0, jy, −jy·tan₁]].
     let iz = 1.0 / g.point[2];
     let (jx, jy) = (view.fx * iz, view.fy * iz);
     let daxes: M3 = [
-        dn[0].map(|v| jx * v),
-        dn[1].map(|v| jy * v),
-        std::array::from_fn(|j| -jx * g.tan[0] * dn[0][j] - jy * g.tan[1] * dn[1][j]),
+        three(|j| jx * dn[0][j]),
+        three(|j| jy * dn[1][j]),
+        three(|j| -jx * g.tan[0] * dn[0][j] - jy * g.tan[1] * dn[1][j]),
     ];
     let dj00 = dot(dn[0], g.axes[0]);
     let dj02 = dot(dn[0], g.axes[2]);
@@ -290,8 +291,8 @@ pub fn backward(core: &Core, coefficients: &Sh, view: &View, degree: usize, up: 
     }
 
     // axes = W · R · diag(s)
-    let dm: M3 = std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
+    let dm: M3 = three(|i| {
+        three(|j| {
             view.rotation[0][i] * daxes[0][j] + view.rotation[1][i] * daxes[1][j] + view.rotation[2][i] * daxes[2][j]
         })
     });

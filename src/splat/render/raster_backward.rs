@@ -46,7 +46,10 @@ impl Kernel for Backward<'_> {
         let (used, unused) = self.out.split_at_mut(self.pixels.used);
         unused.fill(SplatGradient::default());
         let (x0, y0) = (self.x0, self.y0);
-        let lanes: [f32; TILE] = std::array::from_fn(|i| (x0 + i) as f32 + 0.5);
+        let mut lanes = [0.0f32; TILE];
+        for (i, x) in lanes.iter_mut().enumerate() {
+            *x = (x0 + i) as f32 + 0.5;
+        }
         let mut transmittance = Aligned([1.0; PIXELS]);
         let mut behind = Aligned([0.0; PIXELS]);
         let (transmittance, behind) = (&mut transmittance.0, &mut behind.0);
@@ -79,7 +82,8 @@ impl Kernel for Backward<'_> {
                 let bx = s.mul(s.splat(g.b), dx);
                 let ax = s.fma(s.mul(s.splat(g.a), dx), dx, s.splat(g.level));
                 for row in first..end {
-                    let at = row * TILE + column;
+                    // The mask changes nothing; it shows the compiler that no index can be out of bounds.
+                    let at = (row * TILE + column) & (PIXELS - S::LANES);
                     let dy = (y0 + row) as f32 + 0.5 - g.y;
                     let dy = s.splat(dy);
                     let exponent = s.fma(dy, s.fma(s.splat(g.c), dy, bx), ax);
@@ -104,7 +108,7 @@ impl Kernel for Backward<'_> {
                     let rest = s.fnma(cv, w, s.load(&behind[at..]));
                     s.store(rest, &mut behind[at..]);
                     // A saturated alpha no longer depends on shape or opacity.
-                    let d_alpha = s.sub(s.mul(t, cv), s.div(rest, s.sub(one, alpha)));
+                    let d_alpha = s.fnma(rest, s.reciprocal(s.sub(one, alpha)), s.mul(t, cv));
                     let d = s.select(s.and(go, s.ge(most, raw)), s.mul(d_alpha, alpha), zero);
                     let d_x = s.mul(d, dx);
                     let d_y = s.mul(d, dy);

@@ -97,7 +97,10 @@ fn draw<S: Simd, const DEPTH: bool>(
     pixels: &mut TilePixels,
     depth: &mut TileDepth,
 ) {
-    let lanes: [f32; TILE] = std::array::from_fn(|i| (x0 + i) as f32 + 0.5);
+    let mut lanes = [0.0f32; TILE];
+    for (i, x) in lanes.iter_mut().enumerate() {
+        *x = (x0 + i) as f32 + 0.5;
+    }
     let (threshold, zero) = (s.splat(threshold()), s.splat(0.0));
     let (most, least, half) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE), s.splat(0.5));
     let TilePixels { transmittance, color: [red, green, blue], used } = pixels;
@@ -119,7 +122,8 @@ fn draw<S: Simd, const DEPTH: bool>(
             let bx = s.mul(s.splat(g.b), dx);
             let ax = s.fma(s.mul(s.splat(g.a), dx), dx, s.splat(g.level));
             for row in first..end {
-                let at = row * TILE + column;
+                // The mask changes nothing; it shows the compiler that no index can be out of bounds.
+                let at = (row * TILE + column) & (PIXELS - S::LANES);
                 let dy = (y0 + row) as f32 + 0.5 - g.y;
                 let exponent = s.fma(s.splat(dy), s.fma(s.splat(g.c), s.splat(dy), bx), ax);
                 let t = s.load(&transmittance[at..]);
@@ -149,5 +153,10 @@ fn draw<S: Simd, const DEPTH: bool>(
 #[inline(always)]
 pub fn finished<S: Simd>(s: S, transmittance: &[f32; PIXELS]) -> bool {
     let zero = s.splat(0.0);
-    transmittance.chunks_exact(S::LANES).all(|t| !s.any(s.gt(s.load(t), zero)))
+    for at in (0..PIXELS).step_by(S::LANES) {
+        if s.any(s.gt(s.load(&transmittance[at..]), zero)) {
+            return false;
+        }
+    }
+    true
 }

@@ -205,3 +205,42 @@ fn threads_do_not_change_a_byte() {
     assert_eq!(run(1), run(2));
     assert_eq!(run(2), run(5));
 }
+
+#[test]
+fn every_instruction_set_draws_the_same() {
+    use super::raster_backward::Backward;
+    use super::raster_forward::{Forward, TilePixels};
+    use crate::splat::simd::{Portable, dispatch};
+    let (packed, view) = (Packed::pack(&scene(300, 0.06, 31)), View::new(&camera(64, 48)));
+    let mut raster = Raster::default();
+    raster.bins.build(&packed, &view, 3);
+    let bins = &raster.bins;
+    let mut loss = TileLoss::default();
+    loss.color.iter_mut().flatten().enumerate().for_each(|(i, v)| *v = (i as f32 * 0.37).sin());
+    for t in 0..bins.tiles_x * bins.tiles_y {
+        let list = &bins.list[bins.starts[t] as usize..bins.starts[t + 1] as usize];
+        let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
+        let draw = |run: &dyn Fn(Forward), pull: &dyn Fn(Backward)| {
+            let mut pixels = TilePixels::default();
+            run(Forward { splats: &bins.splats, list, x0, y0, pixels: &mut pixels, depth: None });
+            let mut out = vec![Default::default(); list.len()];
+            pull(Backward { splats: &bins.splats, list, x0, y0, pixels: &pixels, loss: &loss, out: &mut out });
+            (pixels, out)
+        };
+        let compare = |a: (TilePixels, Vec<super::projection::SplatGradient>)| {
+            let b = draw(&|k| dispatch(k), &|k| dispatch(k));
+            for i in 0..TILE * TILE {
+                assert!((a.0.color[1][i] - b.0.color[1][i]).abs() < 4e-3);
+                assert!((a.0.transmittance[i].abs() - b.0.transmittance[i].abs()).abs() < 4e-3);
+            }
+            let sum = |a: &[super::projection::SplatGradient]| a.iter().map(|g| g.xx.abs() + g.g.abs()).sum::<f32>();
+            assert!((sum(&a.1) - sum(&b.1)).abs() < 0.01 * sum(&b.1) + 1e-4);
+        };
+        use crate::splat::simd::Kernel;
+        compare(draw(&|k| k.run(Portable), &|k| k.run(Portable)));
+        #[cfg(target_arch = "x86_64")]
+        if let Some(s) = crate::splat::simd::x86::Avx2::detect() {
+            compare(draw(&|k| s.vectorize(k), &|k| s.vectorize(k)));
+        }
+    }
+}

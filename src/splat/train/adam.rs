@@ -57,7 +57,7 @@ pub fn step<S: Simd>(
 ) {
     let (b1, b2) = (s.splat(BETA1), s.splat(BETA2));
     let (r1, r2) = (s.splat(1.0 - BETA1), s.splat(1.0 - BETA2));
-    let [c1, c2] = correction.map(|c| s.splat(c));
+    let (c1, c2) = (s.splat(correction[0]), s.splat(correction[1]));
     let epsilon = s.splat(EPSILON);
     for i in (0..values.len()).step_by(S::LANES) {
         let g = s.load(&gradient[i..]);

@@ -183,6 +183,34 @@ pub fn train(g: Gaussians, targets: &[Target], options: &Options, progress: &dyn
     Ok(Trained { gaussians: gaussians.unpack(), cameras, report })
 }
 
+/// How many iterations of [`Options::scaled`] this machine does in `seconds` on this input: tries a few and measures.
+///
+/// A multiple of 50 from 50 to 7,000, so that like machines agree. A run with the number found here is reproducible; one
+/// that a deadline cuts off is not.
+///
+/// # Errors
+/// As [`train`].
+pub fn iterations_within(g: &Gaussians, targets: &[Target], seconds: f64, progress: &dyn Progress) -> Result<usize> {
+    const TRIED: usize = 14;
+    /// Iterations get dearer while the Gaussians multiply.
+    const GROWTH: f64 = 1.3;
+    let quiet = Muted(progress);
+    let s = train(g.clone(), targets, &Options::scaled(TRIED), &quiet)?.report.seconds;
+    let each = GROWTH * (s.project + s.forward + s.loss + s.backward + s.update) / TRIED as f64;
+    Ok(((seconds / each.max(1e-6) / 50.0) as usize * 50).clamp(50, 7000))
+}
+
+/// Passes the interrupt on and shows nothing.
+struct Muted<'a>(&'a dyn Progress);
+
+impl Progress for Muted<'_> {
+    fn begin(&self, _: &'static str, _: u64) {}
+    fn step(&self, _: u64) {}
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
 fn check(g: &Gaussians, targets: &[Target]) -> Result<()> {
     let n = g.len();
     if [g.log_scales.len(), g.rotations.len(), g.logit_opacities.len(), g.sh.len()].iter().any(|l| *l != n) {

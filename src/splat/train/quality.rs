@@ -34,9 +34,9 @@ pub fn measure(raster: &mut Raster, gaussians: &Packed, cameras: &[Camera], targ
                 let at = y % TILE * TILE + x % TILE;
                 let through = tile.transmittance[at].abs();
                 let mut square = 0.0;
-                for c in 0..3 {
-                    let rendered = (tile.color[c][at] + 0.5 * through).clamp(0.0, 1.0);
-                    let e = (rendered - (wanted[c] * alpha + 0.5 * (1.0 - alpha))) as f64;
+                for (wanted, color) in wanted.iter().zip(&tile.color) {
+                    let rendered = (color[at] + 0.5 * through).clamp(0.0, 1.0);
+                    let e = (rendered - (wanted * alpha + 0.5 * (1.0 - alpha))) as f64;
                     square += e * e / 3.0;
                 }
                 let held = target.held_back.as_ref().is_some_and(|h| h[i]);

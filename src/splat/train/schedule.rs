@@ -21,6 +21,8 @@ pub struct Rates {
     pub harmonics: f32,
     /// Radians.
     pub pose: f32,
+    /// All but the position's fall exponentially to this share of themselves.
+    pub final_share: f32,
 }
 
 /// Adaptive density control.
@@ -75,6 +77,7 @@ impl Default for Options {
                 color: 2.5e-3,
                 harmonics: 2.5e-3 / 20.0,
                 pose: 1e-4,
+                final_share: 1.0,
             },
             scene_extent: 4.3,
             sh_degree_every: 1000,
@@ -98,24 +101,45 @@ impl Default for Options {
 impl Options {
     /// The default schedule squeezed into `iterations`, for Gaussians that are about right at the start.
     ///
-    /// A short run has no time to recover from an opacity reset, so there is none, and growth is modest.
+    /// A short run has no time to recover from an opacity reset, so there is none; growth is capped at 32,768.
     pub fn scaled(iterations: usize) -> Self {
         let full = Options::default();
         if iterations >= full.iterations {
             return Options { iterations, ..full };
         }
         let squeeze = |at: usize| (at * iterations).div_ceil(full.iterations).max(1);
+        // Fewer steps have to be longer ones, and must come to rest. The factors were found by trial on 600
+        // iterations from the built-in network's Gaussians; they fade in between 7,000 and 600.
+        let share = ((full.iterations as f32 / iterations.max(1) as f32).ln() / (7000f32 / 600.0).ln()).min(1.0);
+        let longer = |rate: f32, factor: f32| rate * factor.powf(share);
+        let r = full.rates;
+        let rates = Rates {
+            position: longer(r.position, 2.0),
+            position_final: longer(r.position_final, 2.0),
+            opacity: longer(r.opacity, 0.5),
+            rotation: longer(r.rotation, 10.0),
+            scale: longer(r.scale, 5.0),
+            color: longer(r.color, 2.0),
+            harmonics: longer(r.harmonics, 8.0),
+            pose: r.pose,
+            final_share: longer(r.final_share, 0.1),
+        };
         Options {
             iterations,
+            rates,
             sh_degree_every: squeeze(full.sh_degree_every),
             density: Density {
-                // A round every 50 needs that long to gather its statistics.
-                every: squeeze(full.density.every).max(50),
-                from: squeeze(full.density.from).max(50),
-                // Growing stops half-way: what is new needs time to settle.
-                until: iterations / 2,
-                growth: 0.05,
-                max_gaussians: 60_000,
+                // Each target must have had a few turns before its statistics say anything.
+                every: (iterations / 20).max(20),
+                from: squeeze(full.density.from).max(20),
+                // What grows late has no time to settle.
+                until: iterations * 3 / 5,
+                // Found by trial like the step sizes: the network's splats are several photo pixels wide, and a
+                // Gaussian that only the photo pulls at has a small mean over all views.
+                gradient: 4e-5,
+                split_scale: 0.002,
+                growth: 0.5,
+                max_gaussians: 32_768,
                 reset_every: 0,
                 ..full.density
             },
@@ -132,7 +156,9 @@ impl Options {
         let r = &self.rates;
         let t = iteration as f32 / self.iterations.max(1) as f32;
         let position = (r.position.ln() * (1.0 - t) + r.position_final.ln() * t).exp();
-        LaneRates::new(position * self.scene_extent, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
+        let [opacity, rotation, scale, color, harmonics] =
+            [r.opacity, r.rotation, r.scale, r.color, r.harmonics].map(|rate| rate * r.final_share.powf(t));
+        LaneRates::new(position * self.scene_extent, opacity, rotation, scale, color, harmonics)
     }
 
     /// Black, white, grey and noise in turn, in an order that the seed picks.
@@ -202,6 +228,8 @@ mod tests {
             let o = Options::scaled(n);
             assert!(o.sh_degree_every >= 1 && o.density.every >= 1 && o.density.reset_every == 0);
             assert_eq!(o.degree(n), 3);
+            let (short, full) = (o.rates, Options::default().rates);
+            assert!(short.scale > full.scale && short.final_share < 1.0);
         }
         assert_eq!(Options::scaled(7000), Options::default());
         let last = Options::default().lane_rates(7000).core[0];

@@ -42,6 +42,13 @@ fn problem() -> (Vec<Target>, Gaussians) {
     (targets, start)
 }
 
+/// The paper's step sizes and no growth: what a toy scene of true Gaussians needs.
+fn gentle(iterations: usize) -> Options {
+    let scaled = Options::scaled(iterations);
+    let density = Density { until: 0, ..scaled.density };
+    Options { rates: Options::default().rates, density, pose_from: 0, ..scaled }
+}
+
 #[test]
 fn training_raises_quality_also_where_it_was_not_trained() {
     let (mut targets, start) = problem();
@@ -49,7 +56,7 @@ fn training_raises_quality_also_where_it_was_not_trained() {
     let mut held = vec![false; 48 * 48];
     held[20 * 48..24 * 48].fill(true);
     targets[0].held_back = Some(held);
-    let options = Options { pose_from: 0, ..Options::scaled(160) };
+    let options = gentle(160);
     let trained = train(start, &targets, &options, &Silent).unwrap();
     let r = &trained.report;
     assert_eq!(r.iterations, 160);
@@ -69,7 +76,7 @@ fn a_wrong_pose_is_found_again() {
     let wrong = pose::moved(&right, [0.03, -0.02, 0.0, 0.004, 0.0, 0.02]);
     targets[0].camera = wrong;
     targets[0].refine_pose = true;
-    let mut options = Options { pose_from: 5, ..Options::scaled(150) };
+    let mut options = gentle(150);
     options.rates.pose = 1e-3;
     let trained = train(truth, &targets, &options, &Silent).unwrap();
     let apart = |c: &Camera| (c.position() - right.position()).length();
@@ -133,4 +140,47 @@ fn deadline_interrupt_and_wrong_sizes() {
     targets[2].alpha.pop();
     let wrong = train(start, &targets, &Options::scaled(50), &Silent).unwrap_err();
     assert!(wrong.to_string().contains("view 2") && wrong.to_string().contains("48 × 48"), "{wrong}");
+}
+
+#[test]
+fn the_crop_is_found_from_the_silhouette() {
+    let truth = scene(150, 0.12, 1);
+    let camera = Camera::look_at(Vec3::new(0.0, -4.0, 1.0), Vec3::ZERO, 0.6, 96);
+    let crop = Camera { fx: camera.fx * 0.8, fy: camera.fy * 0.8, cx: 55.0, cy: 40.0, ..camera };
+    let mask = render(&truth, &crop, [0.0; 3]).alpha;
+    let found = fit_crop(&truth, &camera, &mask);
+    assert!((found.fx / crop.fx - 1.0).abs() < 0.01 && (found.cx - 55.0).abs() < 0.5 && (found.cy - 40.0).abs() < 0.5);
+    assert_eq!(fit_crop(&truth, &camera, &[0.0; 96 * 96]), camera);
+}
+
+#[test]
+fn density_clones_splits_and_prunes() {
+    let mut packed = Packed::pack(&scene(4, 0.1, 2));
+    let mut moments = adam::Moments::new(&packed);
+    let mut statistics = density::Statistics::new(4);
+    for core in &mut packed.core {
+        core[crate::splat::packed::OPACITY] = 1.0;
+    }
+    packed.core[0][8..11].fill(-6.0); // small and pulled: cloned
+    packed.core[1][8..11].fill(-1.0); // large and pulled: split
+    packed.core[2][3] = -8.0; // faint: pruned
+    statistics.seen = vec![[1.0, 1.0], [3.0, 2.0], [0.0, 1.0], [1e-9, 1.0]];
+    let before = packed.clone();
+    let mut random = random::Random::new(1);
+    let d = Density { max_gaussians: 10, ..Options::default().density };
+    density::refine(&mut packed, &mut moments, &mut statistics, &d, 4.0, &mut random);
+    // 0 and its clone, 3, the halves of 1; 1 itself and 2 are gone. The hardest pulled grows first.
+    assert_eq!(packed.len(), 5);
+    assert_eq!((packed.core[0], packed.core[1]), (before.core[0], before.core[3]));
+    assert!((packed.core[2][8] - (before.core[1][8] - 1.6f32.ln())).abs() < 1e-6);
+    assert_eq!(packed.core[4], before.core[0]);
+    assert_eq!((moments.steps.len(), statistics.seen.len(), packed.sh.len()), (5, 5, 5));
+}
+
+#[test]
+fn more_time_allows_more_iterations() {
+    let (targets, start) = problem();
+    assert_eq!(iterations_within(&start, &targets, 0.0, &Silent).unwrap(), 50);
+    let n = iterations_within(&start, &targets, 1e6, &Silent).unwrap();
+    assert_eq!(n, 7000);
 }

@@ -1,0 +1,124 @@
+//! The loss against its definition in f64.
+
+#![allow(clippy::needless_range_loop)]
+use super::*;
+use crate::splat::train::random::Random;
+
+fn window() -> [f64; 11] {
+    let raw: [f64; 11] = std::array::from_fn(|i| (-((i as f64 - 5.0).powi(2)) / 4.5).exp());
+    let sum: f64 = raw.iter().sum();
+    raw.map(|v| v / sum)
+}
+
+/// The loss as its definition reads, in f64, one pixel and window at a time.
+fn reference(w: usize, h: usize, x: &[[f64; 3]], y: &[[f64; 3]], lambda: f64) -> f64 {
+    let k = window();
+    let mut total = 0.0;
+    for c in 0..3 {
+        for py in 0..h as i64 {
+            for px in 0..w as i64 {
+                let [mut mx, mut my, mut xx, mut yy, mut xy] = [0.0; 5];
+                for dy in -5..=5i64 {
+                    for dx in -5..=5i64 {
+                        let (qx, qy) = (px + dx, py + dy);
+                        if qx < 0 || qy < 0 || qx >= w as i64 || qy >= h as i64 {
+                            continue;
+                        }
+                        let g = k[(dx + 5) as usize] * k[(dy + 5) as usize];
+                        let (a, b) = (x[qy as usize * w + qx as usize][c], y[qy as usize * w + qx as usize][c]);
+                        mx += g * a;
+                        my += g * b;
+                        xx += g * a * a;
+                        yy += g * b * b;
+                        xy += g * a * b;
+                    }
+                }
+                let (c1, c2) = (1e-4, 9e-4);
+                let ssim = (2.0 * mx * my + c1) * (2.0 * (xy - mx * my) + c2)
+                    / ((mx * mx + my * my + c1) * (xx - mx * mx + yy - my * my + c2));
+                let i = py as usize * w + px as usize;
+                total += (1.0 - lambda) * (x[i][c] - y[i][c]).abs() + lambda * (1.0 - ssim);
+            }
+        }
+    }
+    total / (3 * w * h) as f64
+}
+
+#[test]
+fn window_is_a_normalised_gaussian() {
+    for (i, w) in window().iter().enumerate() {
+        assert!((w - WINDOW[i.abs_diff(5)] as f64).abs() < 1e-7, "{i}: {w}");
+    }
+}
+
+#[test]
+fn value_and_gradient_match_the_definition() {
+    let (w, h) = (37usize, 21usize);
+    let mut random = Random::new(5);
+    let mut unit = || random.uniform();
+    let color: Vec<[f32; 3]> = (0..w * h).map(|_| std::array::from_fn(|_| unit())).collect();
+    let alpha: Vec<f32> = (0..w * h).map(|i| if i % w > 4 { unit() } else { 0.0 }).collect();
+    let held: Vec<bool> = (0..w * h).map(|i| i / w > 15 && i % w > 20).collect();
+    let tiles_x = w.div_ceil(TILE);
+    let mut rendered = vec![TilePixels::default(); tiles_x * h.div_ceil(TILE)];
+    for t in &mut rendered {
+        t.transmittance.iter_mut().for_each(|v| *v = 0.1 + 0.8 * unit());
+        t.color.iter_mut().for_each(|c| c.iter_mut().for_each(|v| *v = 0.5 * unit()));
+    }
+    let wanted = Wanted::new(w, h, &color, &alpha, Some(&held));
+    let behind = [0.9f32, 0.3, 0.0];
+    let mut loss = Loss::new(w, h);
+    let value = loss.evaluate(&rendered, |_| true, &wanted, Background::Flat(behind), 0.2, 1.0);
+    let index = |x: usize, y: usize| (y / TILE * tiles_x + x / TILE, y % TILE * TILE + x % TILE);
+    let picture = |rendered: &[TilePixels]| -> Vec<[f64; 3]> {
+        (0..w * h)
+            .map(|i| {
+                let (t, p) = index(i % w, i / w);
+                std::array::from_fn(|c| {
+                    rendered[t].color[c][p] as f64 + rendered[t].transmittance[p] as f64 * behind[c] as f64
+                })
+            })
+            .collect()
+    };
+    let x = picture(&rendered);
+    let y: Vec<[f64; 3]> =
+        (0..w * h)
+            .map(|i| {
+                let a = alpha[i] as f64;
+                std::array::from_fn(|c| {
+                    if held[i] { x[i][c] } else { color[i][c] as f64 * a + (1.0 - a) * behind[c] as f64 }
+                })
+            })
+            .collect();
+    let expected = reference(w, h, &x, &y, 0.2);
+    assert!((value - expected).abs() < 1e-6, "{value} {expected}");
+    for (px, py) in [(0, 0), (7, 3), (36, 20), (36, 2), (20, 15), (16, 16), (30, 18)] {
+        let (t, p) = index(px, py);
+        for c in 0..3 {
+            let shifted = |by: f64| {
+                let mut x = x.clone();
+                x[py * w + px][c] += by;
+                reference(w, h, &x, &y, 0.2)
+            };
+            let difference = (shifted(1e-5) - shifted(-1e-5)) / 2e-5;
+            let difference = if held[py * w + px] { 0.0 } else { difference };
+            let got = loss.tiles[t].color[c][p] as f64;
+            assert!((got - difference).abs() < 1e-7 + 1e-3 * difference.abs(), "{px} {py} {c}: {got} {difference}");
+        }
+        let sum: f32 = (0..3).map(|c| loss.tiles[t].color[c][p] * behind[c]).sum();
+        assert!((sum - loss.tiles[t].transmittance[p]).abs() < 1e-8);
+    }
+    // Padding of the last tiles must not pull on anything.
+    assert_eq!(loss.tiles[tiles_x - 1].color[0][w % TILE], 0.0);
+    assert_eq!(loss.tiles[tiles_x].transmittance[(h % TILE) * TILE], 0.0);
+}
+
+#[test]
+fn equal_pictures_cost_nothing() {
+    let (w, h) = (32, 32);
+    let wanted = Wanted::new(w, h, &vec![[0.0; 3]; w * h], &vec![0.0; w * h], None);
+    let rendered = vec![TilePixels::default(); 4];
+    let mut loss = Loss::new(w, h);
+    assert!(loss.evaluate(&rendered, |_| true, &wanted, Background::Noise(3), 0.2, 1.0).abs() < 1e-7);
+    assert!(loss.tiles.iter().all(|t| t.color[0].iter().all(|v| v.abs() < 1e-8)));
+}
