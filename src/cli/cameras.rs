@@ -6,7 +6,7 @@ use std::path::Path;
 use glam::{Mat3, Vec3};
 use serde_json::Value;
 
-use crate::splat::Camera;
+use crate::splat::{Camera, Gaussians};
 use crate::{Error, Result};
 
 /// Largest picture side.
@@ -81,12 +81,13 @@ fn camera<'a>(c: &Value, matrix: &'a str) -> Result<Camera, Wrong<'a>> {
 }
 
 /// `count` square cameras around Gaussians, 20° above them, counter-clockwise from −Y, all of them in view.
-pub fn turntable(positions: &[Vec3], count: usize, size: u32) -> Vec<(String, Camera)> {
-    let finite: Vec<Vec3> = positions.iter().copied().filter(|p| p.is_finite()).collect();
+pub fn turntable(g: &Gaussians, count: usize, size: u32) -> Vec<(String, Camera)> {
+    // Two standard deviations along the longest axis belong to a Gaussian.
+    let balls = g.positions.iter().zip(&g.log_scales).map(|(p, s)| (*p, 2.0 * s.max_element().exp()));
+    let finite: Vec<(Vec3, f32)> = balls.filter(|(p, r)| p.is_finite() && r.is_finite()).collect();
     let n = finite.len().max(1);
-    let centre = finite.iter().map(|p| p.as_dvec3()).sum::<glam::DVec3>() / n as f64;
-    let centre = centre.as_vec3();
-    let mut far: Vec<f32> = finite.iter().map(|p| p.distance(centre)).collect();
+    let centre = (finite.iter().map(|(p, _)| p.as_dvec3()).sum::<glam::DVec3>() / n as f64).as_vec3();
+    let mut far: Vec<f32> = finite.iter().map(|(p, r)| p.distance(centre) + r).collect();
     far.sort_by(f32::total_cmp);
     // A few floaters must not make the subject small.
     let radius = far.get(far.len() * 98 / 100).copied().unwrap_or(1.0).max(1e-3);
@@ -141,7 +142,8 @@ mod tests {
     #[test]
     fn turntable_holds_the_subject() {
         let positions = [Vec3::new(1.0, 2.0, 3.0), Vec3::new(3.0, 2.0, 3.0), Vec3::new(2.0, 3.0, 4.0)];
-        for (_, c) in turntable(&positions, 5, 100) {
+        let g = Gaussians { positions: positions.into(), log_scales: vec![Vec3::splat(-2.0); 3], ..Default::default() };
+        for (_, c) in turntable(&g, 5, 100) {
             for p in positions {
                 let q = c.rotation * p + c.translation;
                 let (x, y) = (c.fx * q.x / q.z + c.cx, c.fy * q.y / q.z + c.cy);

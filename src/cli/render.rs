@@ -58,7 +58,7 @@ pub fn run(
     let scene = load(&args.scene)?;
     let cameras = match (&args.camera, args.turntable) {
         (Some(path), _) => cameras::parse(path, &std::fs::read(path).map_err(|e| Error::io(path, &e))?)?,
-        (None, Some(n)) => cameras::turntable(&scene.positions, n as usize, args.size),
+        (None, Some(n)) => cameras::turntable(&scene, n as usize, args.size),
         (None, None) => return Err(Error::usage("render").expected("--camera or --turntable").found("neither")),
     };
     let gpu = args.device.open(say)?;

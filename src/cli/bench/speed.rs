@@ -67,7 +67,7 @@ pub fn run(args: &Speed, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
             Some(list) => list.iter().map(|c| c.1).collect(),
             None if made => scene::cameras(),
             None => {
-                let turn = cameras::turntable(&g.positions, 24, 1080);
+                let turn = cameras::turntable(&g, 24, 1080);
                 turn.into_iter().map(|c| Camera { width: 1920, cx: 960.0, ..c.1 }).collect()
             }
         };
