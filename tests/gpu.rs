@@ -132,6 +132,14 @@ fn sort_is_stable_and_agrees_with_the_standard_library() {
 }
 
 #[test]
+fn what_the_driver_offers_passes_its_self_test() {
+    let Some(gpu) = gpu() else { return };
+    assert!(gpu.notes.is_empty(), "{:?}", gpu.notes);
+    assert!(gpu.abilities.swap_atomics);
+    assert_eq!(gpu.abilities.subgroups, gpu.abilities.lanes > 1);
+}
+
+#[test]
 fn pictures_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
     for (i, (n, low, high, w, h)) in [
@@ -222,6 +230,8 @@ fn small_bindings_and_short_lists_change_nothing() {
     compare(&renderer.render(&small, &c, [0.2; 3]).unwrap(), &want, "small bindings");
     let one = renderer.render(&whole, &c, [0.2; 3]).unwrap();
     compare(&one, &want, "whole");
+    let e = Scene::upload_limited(gpu, &g, 4096).err().unwrap();
+    assert!(e.to_string().contains("6000 Gaussians"), "{e}");
     // Lists too short for the picture: cut into bands, again and again, until each fits.
     renderer.limit_pairs(9000);
     let cut = renderer.render(&whole, &c, [0.2; 3]).unwrap();

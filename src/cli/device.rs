@@ -48,5 +48,6 @@ fn told(gpu: Gpu, say: &mut dyn FnMut(&str)) -> Gpu {
             _ => "no float atomics",
         },
     ));
+    gpu.notes.iter().for_each(|note| say(&format!("  {note}")));
     gpu
 }

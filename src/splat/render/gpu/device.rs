@@ -47,6 +47,8 @@ pub struct Gpu {
     pub(super) queue: wgpu::Queue,
     pub adapter: Adapter,
     pub abilities: Abilities,
+    /// Why an ability that the driver offers is not used: its self-test was refused or came out wrong.
+    pub notes: Vec<String>,
     /// The first error that no call returned.
     failure: Arc<Mutex<Option<String>>>,
     scenes: AtomicU64,
@@ -150,7 +152,8 @@ impl Gpu {
             timestamps: offered.contains(Features::TIMESTAMP_QUERY),
             pipeline_cache: offered.contains(Features::PIPELINE_CACHE),
         };
-        let mut gpu = Gpu { device, queue, adapter: described, abilities, failure, scenes: AtomicU64::new(0) };
+        let mut gpu =
+            Gpu { device, queue, adapter: described, abilities, notes: Vec::new(), failure, scenes: AtomicU64::new(0) };
         gpu.test(offered)?;
         Ok(gpu)
     }
@@ -180,14 +183,30 @@ impl Gpu {
         self.scenes.fetch_add(1, Ordering::Relaxed)
     }
 
+    /// Fills in the abilities. An adapter that fails even the plainest kernel is no use: an error.
     fn test(&mut self, offered: Features) -> Result<()> {
         self.abilities.swap_atomics = self.sums(include_str!("../../../../shaders/selftest.wgsl"))?;
+        if !self.abilities.swap_atomics {
+            self.notes.push("compare-and-swap atomics give wrong sums".into());
+        }
         if offered.contains(Features::SHADER_FLOAT32_ATOMIC) {
-            self.abilities.float_atomics = self.sums(include_str!("../../../../shaders/selftest_float.wgsl"))?;
+            match self.sums(include_str!("../../../../shaders/selftest_float.wgsl")) {
+                Ok(right) => self.abilities.float_atomics = right,
+                Err(e) => self.notes.push(e.to_string()),
+            }
+            if !self.abilities.float_atomics {
+                self.notes.push("native float atomics are not used".into());
+            }
         }
         if offered.contains(Features::SUBGROUP | Features::SUBGROUP_BARRIER) {
-            self.abilities.lanes = self.lanes()?;
+            match self.lanes() {
+                Ok(lanes) => self.abilities.lanes = lanes,
+                Err(e) => self.notes.push(e.to_string()),
+            }
             self.abilities.subgroups = self.abilities.lanes > 1;
+            if !self.abilities.subgroups {
+                self.notes.push("subgroups are not used".into());
+            }
         }
         self.check()
     }
@@ -218,7 +237,7 @@ impl Gpu {
         Ok(if right { lanes } else { 1 })
     }
 
-    /// One dispatch of a self-test. A kernel that is refused is an error, not a missing ability.
+    /// One dispatch of a self-test.
     fn run_test(&self, source: &str, bytes: u64) -> Result<Vec<u8>> {
         let out = self.buffer("self-test", bytes);
         let pipeline = compile(self, "self-test", source, &[]);
