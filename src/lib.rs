@@ -7,11 +7,13 @@
 pub mod audit;
 pub mod cli;
 pub mod error;
+pub mod export;
 pub mod geo;
 pub mod mesh;
 pub mod models;
 pub mod photo;
 pub mod pipeline;
+pub mod preview;
 pub mod progress;
 pub mod splat;
 pub mod views;

@@ -1,1 +1,216 @@
-//! The stages in order.
+//! The stages in order: photo → subject → Gaussians → six views → optimisation → mesh → place → files.
+//!
+//! Values in, values out; nothing here touches a disk.
+
+use std::time::{Duration, Instant};
+
+use crate::mesh::{self, Model};
+use crate::models::scene::{self, Subject};
+use crate::models::splat_prior::{self, OneView};
+use crate::models::{Engine, prior};
+use crate::photo::Photo;
+use crate::progress::Progress;
+use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
+use crate::{Result, views};
+
+/// Pixels across each of the six views.
+const VIEW_SIZE: u32 = 256;
+/// Names of the optimisation's targets in its report.
+pub const PHOTO: &str = "photo";
+pub const VIEW: &str = "view";
+pub const HELD_BACK: &str = "held back";
+
+const GREY: [f32; 3] = [0.5; 3];
+
+/// What decides a reconstruction, besides the photo.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Optimisation steps.
+    pub iterations: u32,
+    /// Fewer steps where this machine, by a short trial, would need longer for them. `None`: all of them.
+    pub optimise_within: Option<Duration>,
+    /// The optimisation ends early past this point, and says so.
+    pub deadline: Option<Instant>,
+    pub seed: u64,
+    /// 1 to 4.
+    pub levels: usize,
+}
+
+/// How long a stage took.
+#[derive(Clone, Copy, Debug)]
+pub struct Timing {
+    pub stage: &'static str,
+    pub time: Duration,
+}
+
+/// Everything that came of one photo, in the unit frame (subject's bounding sphere of radius 1, Z up).
+pub struct Reconstruction {
+    pub subject: Subject,
+    pub prior: OneView,
+    pub six: Vec<(Camera, Frame)>,
+    pub gaussians: Gaussians,
+    pub report: Report,
+    pub model: Model,
+    pub timings: Vec<Timing>,
+}
+
+/// Stages 2 to 5.
+///
+/// # Errors
+/// `Usage` for a photo without a subject, `Cancelled`.
+pub fn reconstruct(
+    photo: &Photo,
+    engine: &dyn Engine,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Reconstruction> {
+    let mut clock = Clock::default();
+    progress.begin("mask and depth", 0);
+    // Each network is loaded when its turn comes and gone before the next.
+    let subject = scene::subject(&photo.pixels, photo.cutout.as_ref(), &*engine.load(prior::SCENE.verified()?)?)?;
+    clock.lap("mask and depth");
+    progress.check()?;
+
+    progress.begin("3D from one view", 0);
+    let one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
+    clock.lap("3D from one view");
+    progress.check()?;
+
+    progress.begin("six views", 6);
+    let six = render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?;
+    let between = render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?;
+    clock.lap("six views");
+
+    let trained = optimise(&one_view, &six, &between, settings, progress)?;
+    clock.lap("optimisation");
+
+    let photo_camera = trained.cameras[0];
+    let gaussians = trained.gaussians;
+    let render = |camera: &Camera| {
+        let frame = splat::render(&gaussians, camera, GREY);
+        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    };
+    let seen = mesh::PhotoView { camera: photo_camera, color: &one_view.colour, mask: &one_view.mask.data };
+    let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };
+    let model = mesh::build(&render, Some(&seen), &options, progress)?;
+    clock.lap("mesh and texture");
+    Ok(Reconstruction {
+        subject,
+        six,
+        gaussians,
+        report: trained.report,
+        model,
+        timings: clock.timings,
+        prior: one_view,
+    })
+}
+
+/// Targets: the photo (heaviest, pose refined, some pixels held back), the six views, and views between them that
+/// are measured but never trained on.
+fn optimise(
+    prior: &OneView,
+    six: &[(Camera, Frame)],
+    between: &[(Camera, Frame)],
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<splat::Trained> {
+    let mut targets = vec![Target {
+        camera: prior.camera,
+        color: prior.colour.clone(),
+        alpha: prior.mask.data.clone(),
+        weight: 1.0,
+        refine_pose: true,
+        held_back: Some(held_back(prior.mask.width, settings.seed)),
+        name: PHOTO.into(),
+    }];
+    let view = |name: String, (camera, frame): &(Camera, Frame), weight: f32| Target {
+        camera: *camera,
+        color: uncomposited(frame),
+        alpha: frame.alpha.clone(),
+        weight,
+        refine_pose: false,
+        held_back: None,
+        name,
+    };
+    targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
+    targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
+    progress.begin("optimisation", 0);
+    let mut iterations = settings.iterations as usize;
+    if let Some(limit) = settings.optimise_within {
+        let fits = splat::train::iterations_within(&prior.gaussians, &targets, limit.as_secs_f64(), progress)?;
+        iterations = iterations.min(fits);
+    }
+    let options =
+        splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
+    splat::train(prior.gaussians.clone(), &targets, &options, progress)
+}
+
+/// About 3% of the pixels in 4 × 4 blocks, from the seed: never trained on, so that they can be measured.
+fn held_back(size: usize, seed: u64) -> Vec<bool> {
+    let blocks = size.div_ceil(4);
+    (0..size * size)
+        .map(|i| {
+            let block = (i / size / 4 * blocks + i % size / 4) as u64;
+            // SplitMix64 (Steele, Lea and Flood 2014).
+            let mut z = (block ^ seed.rotate_left(32)).wrapping_add(0x9E37_79B9_7F4A_7C15);
+            z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+            (z ^ (z >> 31)).is_multiple_of(32)
+        })
+        .collect()
+}
+
+fn render_all(g: &Gaussians, cameras: &[Camera], progress: &dyn Progress) -> Result<Vec<(Camera, Frame)>> {
+    let mut out = Vec::with_capacity(cameras.len());
+    for camera in cameras {
+        progress.check()?;
+        out.push((*camera, splat::render(g, camera, GREY)));
+        progress.step(out.len() as u64);
+    }
+    Ok(out)
+}
+
+/// A frame's own colours, the grey behind them taken out where there is enough of the subject to tell.
+fn uncomposited(frame: &Frame) -> Vec<[f32; 3]> {
+    let own = |(c, &a): (&[f32; 3], &f32)| {
+        if a < 1.0 / 255.0 { GREY } else { std::array::from_fn(|k| ((c[k] - (1.0 - a) * GREY[k]) / a).clamp(0.0, 1.0)) }
+    };
+    frame.color.iter().zip(&frame.alpha).map(own).collect()
+}
+
+/// Laps of a stopwatch.
+struct Clock {
+    last: Instant,
+    timings: Vec<Timing>,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Clock { last: Instant::now(), timings: Vec::new() }
+    }
+}
+
+impl Clock {
+    fn lap(&mut self, stage: &'static str) {
+        let now = Instant::now();
+        self.timings.push(Timing { stage, time: now - self.last });
+        self.last = now;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn held_back_pixels_are_few_in_blocks_and_from_the_seed() {
+        let a = held_back(512, 7);
+        let share = a.iter().filter(|&&h| h).count() as f64 / a.len() as f64;
+        assert!((0.025..0.038).contains(&share), "{share}");
+        assert!((0..128 * 128).all(|b| (1..16).all(|k| {
+            let at = |k: usize| (b / 128 * 4 + k / 4) * 512 + b % 128 * 4 + k % 4;
+            a[at(0)] == a[at(k)]
+        })));
+        assert_ne!(a, held_back(512, 8));
+    }
+}

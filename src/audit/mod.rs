@@ -1,1 +1,34 @@
 //! Marking, record, seal, verification, and the only door to the user's folders.
+//!
+//! A run hands its outputs to a [`Publication`], one by one, and what it knows about itself as a [`RecordDraft`];
+//! sealing hashes, signs, appends to the ledger and publishes. [`verify`] checks a published folder offline. What
+//! comes out is evidence for an assessment, never the assessment.
+
+pub mod by_hand;
+pub mod canonical;
+pub mod data_folder;
+mod disk;
+pub mod dsse;
+pub mod inband;
+pub mod keys;
+pub mod ledger;
+pub mod marking;
+mod pem;
+pub mod publication;
+pub mod record;
+pub mod report;
+pub mod statement;
+pub mod store_merge;
+pub mod time;
+pub mod trust;
+pub mod verify;
+
+pub use data_folder::DataFolder;
+pub use keys::{KeyForRun, SigningKey};
+pub use ledger::Ledger;
+pub use marking::Marking;
+pub use publication::{Destination, Publication, Published};
+pub use record::RecordDraft;
+pub use store_merge::{PreparedMerge, StoreLock, lock_store, merge_into_store, recover};
+pub use time::TimeReading;
+pub use trust::TrustStore;

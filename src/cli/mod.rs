@@ -1,6 +1,71 @@
-//! One file a verb.
+//! The command line: one file a verb.
 
+pub mod audit;
+mod bar;
 pub mod bench;
 mod cameras;
 pub mod device;
+pub mod geo;
 pub mod render;
+mod summary;
+
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{Parser, Subcommand};
+
+use crate::audit::DataFolder;
+
+/// One photo becomes a 3D model that a simulator loads at the right place on the Earth, with a marking, a signed
+/// record and no network.
+#[derive(Parser)]
+#[command(name = "orb", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    /// Turn a photo into a placed, marked, sealed model.
+    Geo(Box<geo::GeoArgs>),
+    /// Verify and show records, make keys.
+    Audit(audit::AuditArgs),
+}
+
+/// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            let _ = e.print();
+            return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
+        }
+    };
+    // Set by Ctrl-C and by a termination request; long work looks at it between steps.
+    let stop = Arc::new(AtomicBool::new(false));
+    let handler = Arc::clone(&stop);
+    // Without a handler Ctrl-C still ends the program, but a staging folder could stay behind.
+    if let Err(e) = ctrlc::set_handler(move || handler.store(true, Ordering::Relaxed)) {
+        eprintln!("orb: warning: no interrupt handler: {e}");
+    }
+    let done = match cli.verb {
+        Verb::Geo(args) => geo::run(&args, &stop),
+        Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
+            .and_then(|data| audit::run(&args, &data))
+            .map(show),
+    };
+    match done {
+        Ok(code) => ExitCode::from(code),
+        Err(e) => {
+            eprintln!("orb: {e}");
+            ExitCode::from(e.kind.exit_code())
+        }
+    }
+}
+
+fn show(outcome: audit::Outcome) -> u8 {
+    print!("{}", outcome.text);
+    outcome.exit_code
+}

@@ -1,1 +1,266 @@
 //! From rendered depth to a textured mesh in levels of detail.
+//!
+//! depth from all sides → [`fuse`] (signed distance) → [`clean`] (one solid) → [`extract`] (closed surface)
+//! → [`smooth`] → [`simplify`] → [`unwrap`] and [`pack`] (charts, atlas) → [`bake`] (texture) → [`Model`].
+//! [`levels`] reads like that line.
+//!
+//! Frame: the unit frame, subject inside the unit sphere about the origin, Z up.
+
+pub mod bake;
+pub mod clean;
+pub mod color;
+pub mod distance;
+pub mod extract;
+pub mod fill;
+pub mod fuse;
+pub mod levels;
+pub mod pack;
+pub mod raster;
+pub mod relax;
+pub mod simplify;
+pub mod smooth;
+pub mod source;
+pub mod unwrap;
+
+#[cfg(test)]
+mod scenes;
+
+use crate::progress::Progress;
+use crate::splat::Camera;
+use crate::{Error, Result};
+use glam::{Vec2, Vec3};
+use image::RgbImage;
+
+pub use raster::raster;
+
+/// What a renderer sees from one camera; row-major, top row first, `camera.width · camera.height` entries each.
+#[derive(Clone, Debug)]
+pub struct View {
+    pub camera: Camera,
+    /// sRGB 0..1, composited over the background.
+    pub color: Vec<[f32; 3]>,
+    /// Share of light stopped, 0..1.
+    pub alpha: Vec<f32>,
+    /// Camera z of the surface (median along the ray); 0 where there is none.
+    pub depth: Vec<f32>,
+}
+
+/// The photo's crop: where it sees the surface its pixels win over rendered views.
+#[derive(Clone, Copy, Debug)]
+pub struct PhotoView<'a> {
+    pub camera: Camera,
+    /// sRGB 0..1.
+    pub color: &'a [[f32; 3]],
+    /// 1 on the subject, 0 off it.
+    pub mask: &'a [f32],
+}
+
+/// How a model is made. `Options::default()` is the main job's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The distance volume holds at most about `voxels`³ samples, spent on the subject's bounding box.
+    pub voxels: usize,
+    /// Levels of detail, 1 to 4.
+    pub levels: usize,
+    /// Most vertices a level, finest first: unique (position, normal, uv) tuples, as a vertex palette counts them.
+    pub vertex_caps: [usize; 4],
+    /// Texture width and height a level, finest first: powers of two, at most 1024.
+    pub texture_size: [u32; 4],
+    /// Cameras around the subject for depth.
+    pub views: usize,
+    /// Pixels across a depth view.
+    pub view_size: u32,
+    /// Cameras around the subject for colour.
+    pub color_views: usize,
+    /// Pixels across a colour view.
+    pub color_size: u32,
+    /// What the renderer composites on, sRGB 0..1; taken out again at soft edges.
+    pub background: [f32; 3],
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            voxels: 144,
+            levels: 4,
+            vertex_caps: [8192, 2048, 512, 128],
+            texture_size: [1024, 512, 256, 128],
+            views: 48,
+            view_size: 256,
+            color_views: 32,
+            color_size: 448,
+            background: [0.5; 3],
+        }
+    }
+}
+
+impl Options {
+    fn check(&self) -> Result<()> {
+        let bad = |what: &str, expected: &str, found: String| Err(Error::usage(what).expected(expected).found(found));
+        if !(1..=4).contains(&self.levels) {
+            return bad("levels of detail", "1 to 4", self.levels.to_string());
+        }
+        if !(16..=512).contains(&self.voxels) {
+            return bad("mesh voxels", "16 to 512 along an axis", self.voxels.to_string());
+        }
+        if self.views < 6 || self.views > 4096 || self.color_views < 1 || self.color_views > 4096 {
+            let found = format!("{} and {}", self.views, self.color_views);
+            return bad("mesh views", "6 to 4096 for depth, 1 to 4096 for colour", found);
+        }
+        if !(16..=2048).contains(&self.view_size) || !(16..=2048).contains(&self.color_size) {
+            let found = format!("{} and {}", self.view_size, self.color_size);
+            return bad("mesh view size", "16 to 2048 pixels", found);
+        }
+        for level in 0..self.levels {
+            let (cap, size) = (self.vertex_caps[level], self.texture_size[level]);
+            if cap < 32 {
+                return bad("vertex cap", "at least 32", cap.to_string());
+            }
+            if level > 0 && cap >= self.vertex_caps[level - 1] {
+                return bad("vertex caps", "finest first, each smaller than the one before", cap.to_string());
+            }
+            if !size.is_power_of_two() || !(16..=1024).contains(&size) {
+                return bad("texture size", "a power of two, 16 to 1024", size.to_string());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A closed triangle mesh without texture; counter-clockwise seen from outside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    pub positions: Vec<Vec3>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Surface {
+    /// Volume enclosed: Σ a · (b × c) / 6; positive when wound outward.
+    pub fn volume(&self) -> f64 {
+        let six: f64 = self
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| self.positions[i as usize].as_dvec3());
+                a.dot(b.cross(c))
+            })
+            .sum();
+        six / 6.0
+    }
+
+    pub fn area(&self) -> f64 {
+        self.triangles.iter().map(|t| (cross(&self.positions, t).length() as f64) / 2.0).sum()
+    }
+
+    /// Lowest and highest corner of the bounding box; zeros when empty.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        bounds(&self.positions)
+    }
+}
+
+/// A textured triangle mesh, counter-clockwise seen from outside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    pub positions: Vec<Vec3>,
+    /// Unit length.
+    pub normals: Vec<Vec3>,
+    /// 0..1, origin lower left, v up.
+    pub uvs: Vec<Vec2>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Lowest and highest corner of the bounding box; zeros when empty.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        bounds(&self.positions)
+    }
+}
+
+/// One level of detail.
+#[derive(Clone, Debug)]
+pub struct Level {
+    pub mesh: Mesh,
+    pub texture: RgbImage,
+    /// Largest distance, either way, between this level and the surface before simplification; scene units.
+    pub error: f32,
+    /// Largest distance, either way, to the next coarser level; for the coarsest, its bounding-box diagonal.
+    /// Together they are the significant sizes of OGC CDB 1.x Volume 6 §6.8.3; strictly larger for each coarser level.
+    pub error_to_coarser: f32,
+    /// Share of texels coloured from the photo.
+    pub seen: f32,
+}
+
+/// The textured model.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Finest first.
+    pub levels: Vec<Level>,
+    /// The surface before simplification.
+    pub surface: Surface,
+}
+
+/// Gaussians (or anything that renders) to a textured mesh in levels of detail.
+///
+/// `render` draws the subject from a camera; the views must hold `camera.width · camera.height` entries.
+/// Errors: `Usage` for options out of range and for a scene without a solid subject, `Cancelled`.
+pub fn build(
+    render: &(dyn Fn(&Camera) -> View + Sync),
+    photo: Option<&PhotoView>,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Model> {
+    options.check()?;
+    if let Some(photo) = photo {
+        let expected = photo.camera.width as usize * photo.camera.height as usize;
+        if photo.color.len() != expected || photo.mask.len() != expected {
+            return Err(Error::usage("photo for the texture")
+                .expected(format!("{expected} pixels and mask values"))
+                .found(format!("{} and {}", photo.color.len(), photo.mask.len())));
+        }
+    }
+    levels::build(render, photo, options, progress)
+}
+
+/// Renders and checks that the arrays fit the camera.
+pub(crate) fn rendered(render: &(dyn Fn(&Camera) -> View + Sync), camera: &Camera) -> Result<View> {
+    let view = render(camera);
+    let expected = view.camera.width as usize * view.camera.height as usize;
+    let found = [view.color.len(), view.alpha.len(), view.depth.len()];
+    if found != [expected; 3] {
+        return Err(Error::usage("rendered view")
+            .expected(format!("{expected} colours, alphas and depths"))
+            .found(format!("{found:?}")));
+    }
+    Ok(view)
+}
+
+/// `count` directions spread evenly over the sphere by the golden angle (Fibonacci lattice).
+pub fn fibonacci_sphere(count: usize) -> Vec<Vec3> {
+    let golden = std::f32::consts::PI * (3.0 - 5f32.sqrt());
+    (0..count)
+        .map(|i| {
+            let z = 1.0 - (2.0 * i as f32 + 1.0) / count as f32;
+            let r = (1.0 - z * z).max(0.0).sqrt();
+            let (s, c) = (golden * i as f32).sin_cos();
+            Vec3::new(r * c, r * s, z)
+        })
+        .collect()
+}
+
+/// Distance of the cameras around the subject: a sphere of radius [`SUBJECT_RADIUS`] fills [`VIEW_FOV`].
+pub(crate) const VIEW_DISTANCE: f32 = 4.1;
+pub(crate) const VIEW_FOV: f32 = 30.0 * std::f32::consts::PI / 180.0;
+/// sin(15°) · 4.1: what every camera has whole in its picture.
+pub(crate) const SUBJECT_RADIUS: f32 = 1.06;
+
+pub(crate) fn cross(positions: &[Vec3], t: &[u32; 3]) -> Vec3 {
+    let [a, b, c] = t.map(|i| positions[i as usize]);
+    (b - a).cross(c - a)
+}
+
+fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
+    if positions.is_empty() {
+        return (Vec3::ZERO, Vec3::ZERO);
+    }
+    positions.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+}

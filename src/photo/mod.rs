@@ -1,19 +1,17 @@
-//! Photo in: decoding within limits, orientation, EXIF, planes of floats.
+//! Photo in: decoding within limits, orientation, EXIF, planes of floats, resampling.
 
+mod complete;
+mod decode;
+mod metadata;
 mod plane;
+mod resample;
+#[cfg(test)]
+mod tests;
 
+pub use decode::{Limits, decode};
+pub use metadata::{Exif, Orientation};
 pub use plane::Plane;
-
-/// What the camera wrote beside the picture; absent tags stay `None`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Exif {
-    /// Focal length in 35 mm equivalent, millimetres.
-    pub focal_35mm: Option<f64>,
-    /// Bearing of the optical axis, degrees clockwise from true north, [0, 360).
-    pub image_direction: Option<f64>,
-    /// The direction was relative to magnetic north (then `image_direction` is as written, uncorrected).
-    pub direction_is_magnetic: bool,
-}
+pub use resample::{Edge, Rect, sample_colour, sample_plane};
 
 /// A decoded photo: sRGB, upright.
 #[derive(Clone, Debug)]
@@ -24,6 +22,9 @@ pub struct Photo {
     /// Of the file as read.
     pub sha256: [u8; 32],
     pub byte_len: u64,
+    /// Full resolution. Transparent pixels are composited over white.
     pub pixels: image::RgbImage,
+    /// The file's alpha channel where it really cuts something out: a hint at the subject. Same size as `pixels`.
+    pub cutout: Option<image::GrayImage>,
     pub exif: Exif,
 }

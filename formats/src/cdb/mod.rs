@@ -1,1 +1,35 @@
-//! cdb/mod
+//! OGC CDB 1.x data stores: placing a geospecific model (GSModel), and checking a store.
+//!
+//! [`add_model`] turns a model and a store into the files that are new or change; [`check`] reads a store and says what
+//! breaks the standard. Written is CDB 1.0 with Shapefile, SGI, OpenFlight and stored zips, which readers of every version
+//! from 3.x to 1.3 take.
+//!
+//! The marking stands inside every file that has room for text: `Version.xml` (Comment), the other XML files (a comment),
+//! zip archives (the archive comment), `.flt` (the header's comment), `.rgb` (the image name). The fixed fields of
+//! `.shp`, `.shx` and `.dbf` have none.
+
+mod add;
+mod archive;
+mod attributes;
+mod check;
+pub mod dbf;
+mod descriptor;
+mod entries;
+mod features;
+pub mod geocell;
+pub mod lod;
+mod material;
+mod metadata;
+mod model;
+pub mod names;
+pub mod shapefile;
+mod store;
+#[cfg(test)]
+mod tests;
+mod texture;
+mod xml;
+
+pub use add::{Added, add_model};
+pub use check::{Finding, check};
+pub use model::{GsModel, Level};
+pub use store::{Empty, ListableStore, Memory, Store};

@@ -13,7 +13,6 @@ mod update;
 
 use std::time::Instant;
 
-pub use pose::fit_crop;
 pub use quality::Quality;
 pub use schedule::{Density, Options, Rates};
 

@@ -143,17 +143,6 @@ fn deadline_interrupt_and_wrong_sizes() {
 }
 
 #[test]
-fn the_crop_is_found_from_the_silhouette() {
-    let truth = scene(150, 0.12, 1);
-    let camera = Camera::look_at(Vec3::new(0.0, -4.0, 1.0), Vec3::ZERO, 0.6, 96);
-    let crop = Camera { fx: camera.fx * 0.8, fy: camera.fy * 0.8, cx: 55.0, cy: 40.0, ..camera };
-    let mask = render(&truth, &crop, [0.0; 3]).alpha;
-    let found = fit_crop(&truth, &camera, &mask);
-    assert!((found.fx / crop.fx - 1.0).abs() < 0.01 && (found.cx - 55.0).abs() < 0.5 && (found.cy - 40.0).abs() < 0.5);
-    assert_eq!(fit_crop(&truth, &camera, &[0.0; 96 * 96]), camera);
-}
-
-#[test]
 fn density_clones_splits_and_prunes() {
     let mut packed = Packed::pack(&scene(4, 0.1, 2));
     let mut moments = adam::Moments::new(&packed);

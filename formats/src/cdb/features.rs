@@ -1,0 +1,203 @@
+//! The man-made point features of one tile: dataset 100, S001_T001 with its class table S001_T002.
+//!
+//! Source: OGC CDB 1.x Volume 1, "Tiled vector datasets" (Requirements 64, 107).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::attributes::{ATTRIBUTES, Attribute};
+use super::dbf::{Table, Value};
+use super::geocell::Tile;
+use super::names::{self, GS_FEATURE};
+use super::shapefile::{self, PointZ};
+use super::store::{self, Store};
+use crate::{Error, File, Result};
+
+/// Component selectors: points with instance attributes, class attributes, extended attributes.
+pub const POINTS: (u16, u16) = (1, 1);
+pub const CLASSES: (u16, u16) = (1, 2);
+pub const EXTENDED: (u16, u16) = (1, 16);
+
+/// The features of a tile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FeatureTile {
+    pub points: Vec<Option<PointZ>>,
+    /// One record a point.
+    pub instances: Table,
+    pub classes: Table,
+    /// The record of each class.
+    class_records: BTreeMap<String, usize>,
+    /// Files beside the tables that a new tile needs as its parent has them: extended attributes, memos.
+    companions: Vec<((u16, u16), &'static str, Vec<u8>)>,
+}
+
+impl FeatureTile {
+    /// A tile without features.
+    pub fn new(date: (u16, u8, u8)) -> FeatureTile {
+        let table = |wanted: fn(&Attribute) -> bool| {
+            Table::new(ATTRIBUTES.iter().filter(|a| wanted(a)).map(Attribute::column).collect(), date)
+        };
+        let (instances, classes) = (table(|a| a.instance), table(|a| a.class));
+        FeatureTile { points: Vec::new(), instances, classes, class_records: BTreeMap::new(), companions: Vec::new() }
+    }
+
+    /// Reads the features of a tile; `None` when it has no shapefile.
+    ///
+    /// # Errors
+    /// What stands in the way of keeping the features: unreadable or inconsistent files.
+    pub fn read(store: &dyn Store, tile: Tile, date: (u16, u8, u8)) -> Result<Option<FeatureTile>> {
+        let path = names::path(tile, GS_FEATURE, POINTS, "shp");
+        let Some(shp) = store::read(store, &path)? else { return Ok(None) };
+        let points = shapefile::read(&shp).map_err(|e| store::unreadable(&path, &e))?;
+        let path = names::path(tile, GS_FEATURE, POINTS, "dbf");
+        let Some(instances) = read_table(store, &path)? else {
+            return Err(store::unreadable(&path, &"the table of the shapefile is missing"));
+        };
+        if instances.len() != points.len() {
+            let what = format!("{} records for {} points", instances.len(), points.len());
+            return Err(store::unreadable(&path, &what));
+        }
+        let classes = read_table(store, &names::path(tile, GS_FEATURE, CLASSES, "dbf"))?;
+        let classes = classes.unwrap_or_else(|| FeatureTile::new(date).classes);
+        let class_records = index(&classes);
+        Ok(Some(FeatureTile { points, instances, classes, class_records, companions: Vec::new() }))
+    }
+
+    /// The features that lie in a tile one level finer, as that tile must repeat them when it comes into being.
+    ///
+    /// `tile` is this one. Their attributes stay: the best model level that was there is still the best.
+    ///
+    /// # Errors
+    /// When a file beside the tables cannot be read.
+    pub fn inherited(&self, store: &dyn Store, tile: Tile, finer: Tile) -> Result<FeatureTile> {
+        let mut out = FeatureTile {
+            points: Vec::new(),
+            instances: self.instances.emptied(),
+            classes: self.classes.emptied(),
+            class_records: BTreeMap::new(),
+            companions: self.companions.clone(),
+        };
+        for (i, point) in self.points.iter().enumerate() {
+            if point.is_some_and(|p| finer.contains(p.y, p.x)) && !self.instances.is_deleted(i) {
+                out.points.push(*point);
+                out.instances.push_from(&self.instances, i);
+            }
+        }
+        let used: BTreeSet<_> = (0..out.instances.len()).map(|r| out.instances.text(r, "CNAM")).collect();
+        for i in 0..self.classes.len() {
+            if used.contains(&self.classes.text(i, "CNAM")) && !self.classes.is_deleted(i) {
+                out.classes.push_from(&self.classes, i);
+            }
+        }
+        out.class_records = index(&out.classes);
+        if out.companions.is_empty() && !out.points.is_empty() {
+            let mut wanted = vec![(EXTENDED, "dbf"), (EXTENDED, "dbt")];
+            wanted.extend(self.instances.has_memo().then_some((POINTS, "dbt")));
+            wanted.extend(self.classes.has_memo().then_some((CLASSES, "dbt")));
+            for (selector, extension) in wanted {
+                let bytes = store::read(store, &names::path(tile, GS_FEATURE, selector, extension))?;
+                out.companions.extend(bytes.map(|b| (selector, extension, b)));
+            }
+        }
+        Ok(out)
+    }
+
+    /// Adds a point and, unless it is there, its class.
+    ///
+    /// # Errors
+    /// When a table has a column that cannot hold its value.
+    pub fn add(&mut self, point: PointZ, value: &dyn Fn(&str) -> Value, date: (u16, u8, u8)) -> Result<()> {
+        for a in ATTRIBUTES.iter().filter(|a| a.needed) {
+            if self.instances.column(a.name).is_none() && (a.name == "CNAM" || self.classes.column(a.name).is_none()) {
+                insert(&mut self.instances, a)?;
+            }
+            let in_instances = a.name != "CNAM" && self.instances.column(a.name).is_some();
+            if a.class && self.classes.column(a.name).is_none() && (self.classes.is_empty() || !in_instances) {
+                insert(&mut self.classes, a)?;
+            }
+        }
+        self.points.push(Some(point));
+        let record = self.instances.push();
+        fill(&mut self.instances, record, value)?;
+        let class = self.classes.push();
+        fill(&mut self.classes, class, value)?;
+        self.class_records.extend(self.classes.text(class, "CNAM").map(|name| (name, class)));
+        self.instances.set_date(date);
+        self.classes.set_date(date);
+        Ok(())
+    }
+
+    /// An attribute of a feature: its own, else that of its class.
+    pub fn text(&self, record: usize, name: &str) -> Option<String> {
+        self.instances.text(record, name).or_else(|| self.classes.text(self.class_of(record)?, name))
+    }
+
+    pub fn number(&self, record: usize, name: &str) -> Option<f64> {
+        self.instances.number(record, name).or_else(|| self.classes.number(self.class_of(record)?, name))
+    }
+
+    /// The record of a feature's class.
+    pub fn class_of(&self, record: usize) -> Option<usize> {
+        self.class_records.get(&self.instances.text(record, "CNAM")?).copied()
+    }
+
+    /// Whether a model name or class name is in use here, whatever the case of its letters.
+    pub fn uses(&self, model_name: &str, class_name: &str) -> bool {
+        [&self.instances, &self.classes].into_iter().any(|t| {
+            (0..t.len()).any(|r| {
+                t.text(r, "MODL").is_some_and(|m| m.eq_ignore_ascii_case(model_name))
+                    || t.text(r, "CNAM").is_some_and(|c| c.eq_ignore_ascii_case(class_name))
+            })
+        })
+    }
+
+    /// The tile's files.
+    ///
+    /// # Errors
+    /// When a table has grown past its format.
+    pub fn files(&self, tile: Tile) -> Result<Vec<File>> {
+        let file = |selector, extension, bytes, media_type| File {
+            path: names::path(tile, GS_FEATURE, selector, extension),
+            bytes,
+            media_type,
+        };
+        let (shp, shx) = shapefile::write(&self.points);
+        let mut files = vec![
+            file(POINTS, "shp", shp, "application/vnd.shp"),
+            file(POINTS, "shx", shx, "application/vnd.shx"),
+            file(POINTS, "dbf", self.instances.write()?, "application/vnd.dbf"),
+            file(CLASSES, "dbf", self.classes.write()?, "application/vnd.dbf"),
+        ];
+        for (selector, extension, bytes) in &self.companions {
+            files.push(file(*selector, extension, bytes.clone(), "application/vnd.dbf"));
+        }
+        Ok(files)
+    }
+}
+
+/// The first record of each class.
+fn index(classes: &Table) -> BTreeMap<String, usize> {
+    (0..classes.len()).rev().filter_map(|c| Some((classes.text(c, "CNAM")?, c))).collect()
+}
+
+fn read_table(store: &dyn Store, path: &str) -> Result<Option<Table>> {
+    let Some(bytes) = store::read(store, path)? else { return Ok(None) };
+    Table::read(&bytes).map(Some).map_err(|e| store::unreadable(path, &e))
+}
+
+fn insert(table: &mut Table, attribute: &Attribute) -> Result<()> {
+    // CNAM is the first column, the others follow what is there.
+    let index = if attribute.name == "CNAM" { 0 } else { table.columns().len() };
+    table.insert_column(index, attribute.column(), attribute.older().as_ref())
+}
+
+fn fill(table: &mut Table, record: usize, value: &dyn Fn(&str) -> Value) -> Result<()> {
+    for a in &ATTRIBUTES {
+        if let Some(column) = table.column(a.name) {
+            table.set(record, column, &value(a.name)).map_err(|e| Error::Unsupported {
+                format: "CDB features",
+                what: format!("the attribute {} cannot be added: {e}", a.name),
+            })?;
+        }
+    }
+    Ok(())
+}

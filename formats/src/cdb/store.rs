@@ -1,0 +1,82 @@
+//! Where a CDB's files come from.
+
+use std::collections::BTreeMap;
+use std::io;
+
+use crate::{Error, File, Result};
+
+/// An existing CDB. Paths are relative to its root, `/` between folders.
+pub trait Store {
+    /// A file's bytes; `None` when there is no such file.
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>>;
+
+    /// Whether there is such a file.
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        Ok(self.read(path)?.is_some())
+    }
+}
+
+/// A CDB whose files can be listed.
+pub trait ListableStore: Store {
+    /// The paths of all files.
+    fn list(&self) -> io::Result<Vec<String>>;
+}
+
+/// No store yet: the first model makes one.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Empty;
+
+impl Store for Empty {
+    fn read(&self, _: &str) -> io::Result<Option<Vec<u8>>> {
+        Ok(None)
+    }
+}
+
+/// A store in memory.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Memory {
+    pub files: BTreeMap<String, Vec<u8>>,
+}
+
+impl Memory {
+    /// Takes files in, replacing older ones of the same path.
+    pub fn write(&mut self, files: impl IntoIterator<Item = File>) {
+        self.files.extend(files.into_iter().map(|f| (f.path, f.bytes)));
+    }
+}
+
+impl Store for Memory {
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
+        Ok(self.files.get(path).cloned())
+    }
+
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        Ok(self.files.contains_key(path))
+    }
+}
+
+impl ListableStore for Memory {
+    fn list(&self) -> io::Result<Vec<String>> {
+        Ok(self.files.keys().cloned().collect())
+    }
+}
+
+/// Reads a file; one of zero bytes means "deleted" in a CDB.
+pub fn read(store: &dyn Store, path: &str) -> Result<Option<Vec<u8>>> {
+    Ok(store.read(path).map_err(|e| unreadable(path, &e))?.filter(|b| !b.is_empty()))
+}
+
+/// Reads a text file.
+pub fn read_text(store: &dyn Store, path: &str) -> Result<Option<String>> {
+    let Some(bytes) = read(store, path)? else { return Ok(None) };
+    String::from_utf8(bytes).map(Some).map_err(|e| unreadable(path, &e))
+}
+
+pub fn exists(store: &dyn Store, path: &str) -> Result<bool> {
+    store.exists(path).map_err(|e| unreadable(path, &e))
+}
+
+/// The error of a file that stands in the way.
+pub fn unreadable(path: &str, reason: &dyn std::fmt::Display) -> Error {
+    Error::Unsupported { format: "CDB store", what: format!("{path} cannot be read: {reason}") }
+}

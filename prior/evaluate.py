@@ -1,0 +1,210 @@
+"""Score SceneNet and SplatNet on photographed objects with known truth.
+
+    python evaluate.py DATA_DIR SCENE_WEIGHTS.pt SPLAT_WEIGHTS.pt [--sheet sheet.png]
+
+DATA_DIR/<name>/cameras.json lists `views`: those of group "photo" (the mask and the photos, each with its `file` or
+else <view name>.jpg, the mask .png) and those of group "gt" (RGBA pictures from other sides). Cameras are OpenCV,
+world -> camera, metres, Z up; the object stands on z = 0 and has the bounding box `size_m`.
+`../samples/truth` holds such folders without other sides: there only masks and elevations are scored.
+"""
+
+import argparse
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import torch
+import torch.nn.functional as F
+from PIL import Image
+
+from nets import SceneNet, SplatNet, load_weights
+from pictures import save_sheet
+from synth.cameras import inverses, look_at, orbit
+
+PHOTO = 512  # pixels; photos are read at this size
+FILL = 0.88  # of the crop, by the longer side of the subject's bounding box
+DEVICE = "cuda"
+
+
+def picture(path, mode, size=None):
+    """Read a picture as [channels, H, W] in 0..1."""
+    image = Image.open(path).convert(mode)
+    if size is not None:
+        image = image.resize((size, size), Image.LANCZOS)
+    return torch.from_numpy(np.asarray(image).astype(np.float32) / 255).to(DEVICE).permute(2, 0, 1)
+
+
+def view_file(folder, view, suffix):
+    return folder / view.get("file", view["name"] + suffix)
+
+
+def true_mask(path):
+    """Coverage [S, S]: the alpha channel, or the red one of an opaque picture."""
+    rgba = picture(path, "RGBA", PHOTO)
+    return rgba[3] if rgba[3].min() < 0.99 else rgba[0]
+
+
+@torch.no_grad()
+def predicted_mask(net, photo):
+    """SceneNet's mask of photo [3, S, S], as [S, S]."""
+    logits, _ = net(F.interpolate(photo[None], size=SceneNet.SIZE, mode="area"))
+    return F.interpolate(torch.sigmoid(logits), size=PHOTO, mode="bilinear")[0, 0]
+
+
+def crop(photo, mask):
+    """The square around the mask on grey with the mask itself, [1, 4, 128, 128]; None if there is no subject."""
+    rows, columns = torch.where(mask > 0.5)
+    if len(rows) < 50:
+        return None
+    left, right = columns.min().item(), columns.max().item() + 1
+    top, bottom = rows.min().item(), rows.max().item() + 1
+    side = max(right - left, bottom - top) / FILL
+    steps = (torch.arange(SplatNet.SIZE, device=DEVICE) + 0.5) / SplatNet.SIZE * side - side / 2
+    across, down = torch.meshgrid((left + right) / 2 + steps, (top + bottom) / 2 + steps, indexing="xy")
+    grid = torch.stack([across, down], -1)[None] / (PHOTO / 2) - 1
+    colour = F.grid_sample(photo[None], grid, mode="bilinear", padding_mode="border", align_corners=False)[0]
+    alpha = F.grid_sample(mask[None, None], grid, mode="bilinear", padding_mode="zeros", align_corners=False)[0]
+    return torch.cat([colour * alpha + 0.5 * (1 - alpha), alpha])[None]
+
+
+def rotations(quaternions):
+    """Unit quaternions [n, 4], w first -> matrices [n, 3, 3]."""
+    w, x, y, z = quaternions.unbind(1)
+    rows = [
+        1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y),
+        2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x),
+        2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2),
+    ]  # fmt: skip
+    return torch.stack(rows, 1).reshape(-1, 3, 3)
+
+
+def to_world(splats, azimuth, size):
+    """Gaussians in the object's world: positions [n, 3] in metres and covariances [n, 3, 3].
+
+    azimuth: of the photo's camera, radians; its elevation is the network's own. size [3]: the object's bounding box in
+    metres, half whose diagonal is the network's unit; the object stands on z = 0.
+    """
+    radius = float(np.linalg.norm(size) / 2)
+    eye = orbit(
+        torch.tensor([azimuth], device=DEVICE),
+        splats["elevation"],
+        torch.tensor([SplatNet.DIST], device=DEVICE),
+    )
+    canonical = inverses(*look_at(eye))[0]
+    position = splats["pos"][0] @ canonical[:3, :3].T + canonical[:3, 3]
+    position = position * radius
+    position[:, 2] += float(size[2]) / 2
+    axes = canonical[:3, :3] @ rotations(splats["quat"][0]) * (splats["scale"][0] * radius)[:, None]
+    return position, axes @ axes.transpose(1, 2)
+
+
+@torch.no_grad()
+def rendered(splats, azimuth, size, views):
+    """The object from `views` on white, [V, 3, H, W], and its coverage [V, H, W]."""
+    from gsplat import rasterization
+
+    position, covariance = to_world(splats, azimuth, size)
+    matrices = torch.tensor([v["w2c_opencv"] for v in views], device=DEVICE, dtype=torch.float32)
+    intrinsics = [[[v["fx"], 0, v["cx"]], [0, v["fy"], v["cy"]], [0, 0, 1]] for v in views]
+    colour, alpha, _ = rasterization(
+        position,
+        None,
+        None,
+        splats["opacity"][0],
+        splats["rgb"][0],
+        matrices,
+        torch.tensor(intrinsics, device=DEVICE, dtype=torch.float32),
+        views[0]["width"],
+        views[0]["height"],
+        packed=False,
+        near_plane=0.05,
+        covars=covariance,
+    )
+    on_white = colour + 1 - alpha
+    return on_white.permute(0, 3, 1, 2).clamp(0, 1), alpha[..., 0]
+
+
+def view_scores(answer, alpha, truth, truth_alpha, views):
+    """PSNR (dB) over all views, those within 60 degrees of the photo and the others; silhouette IoU."""
+    psnr = -10 * ((answer - truth) ** 2).mean((1, 2, 3)).log10()
+    inside, truly = alpha > 0.5, truth_alpha > 0.5
+    iou = (inside & truly).sum((1, 2)) / (inside | truly).sum((1, 2))
+    away = np.array([abs(v["azimuth_rel_photo_deg"]) for v in views])
+    near = torch.tensor(np.minimum(away, 360 - away) <= 60, device=DEVICE)
+    return {
+        "psnr": psnr.mean().item(),
+        "psnr_near": psnr[near].mean().item(),
+        "psnr_back": psnr[~near].mean().item(),
+        "iou": iou.mean().item(),
+    }
+
+
+def mask_iou(answer, truth):
+    a, b = answer > 0.5, truth > 0.5
+    return ((a & b).sum() / (a | b).sum()).item()
+
+
+def score_object(folder, scene, splat):
+    """Yield (photo name, mask used, scores, sheet columns or None) for every photo of one object."""
+    cameras = json.loads((folder / "cameras.json").read_text())
+    photos = [v for v in cameras["views"] if v["group"] == "photo"]
+    mask_view = next(v for v in photos if v["name"].endswith("mask"))
+    truth_mask = true_mask(view_file(folder, mask_view, ".png"))
+    others = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()]
+    azimuth = math.radians(cameras["photo_azimuth_deg"])
+    size = np.array(cameras["size_m"])
+    if others:
+        truth = torch.stack([picture(folder / v["file"], "RGBA") for v in others])
+        truth_alpha = truth[:, 3]
+        truth = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:]
+    for view in photos:
+        if view is mask_view:
+            continue
+        photo = picture(view_file(folder, view, ".jpg"), "RGB", PHOTO)
+        own_mask = predicted_mask(scene, photo)
+        for source, mask in (("own mask", own_mask), ("true mask", truth_mask)):
+            rgba = crop(photo, mask)
+            if rgba is None:
+                print(folder.name, view["name"], source, "shows no subject")
+                continue
+            with torch.no_grad():
+                splats = splat(rgba)
+            elevation = math.degrees(splats["elevation"].item())
+            scores = {"elevation_error_deg": abs(elevation - view["elevation_deg"])}
+            scores["mask_iou"] = mask_iou(mask, truth_mask)
+            columns = None
+            if others:
+                answer, alpha = rendered(splats, azimuth, size, others)
+                scores |= view_scores(answer, alpha, truth, truth_alpha, others)
+                pairs = [t[i : i + 1] for i in range(0, len(others), 2) for t in (truth, answer)]
+                columns = [F.interpolate(c, size=144, mode="area") for c in (rgba[:, :3], *pairs)]
+            yield view["name"], source, scores, columns
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data")
+    parser.add_argument("scene")
+    parser.add_argument("splat")
+    parser.add_argument("--sheet", help="photo crops, then truth and answer side by side")
+    args = parser.parse_args()
+    scene = load_weights(SceneNet(), args.scene).to(DEVICE).eval()
+    splat = load_weights(SplatNet(), args.splat).to(DEVICE).eval()
+    totals = {}
+    sheet = []
+    for path in sorted(Path(args.data).glob("*/cameras.json")):
+        for photo, source, scores, columns in score_object(path.parent, scene, splat):
+            print(path.parent.name, photo, source, {k: round(v, 3) for k, v in scores.items()}, flush=True)
+            totals.setdefault((photo, source), []).append(scores)
+            if columns is not None and source == "own mask":
+                sheet.append(columns)
+    for (photo, source), rows in totals.items():
+        means = {k: round(float(np.mean([r[k] for r in rows])), 3) for k in rows[0]}
+        print("mean", photo, source, means)
+    if args.sheet and sheet:
+        save_sheet([torch.cat(column) for column in zip(*sheet, strict=True)], args.sheet, rows=len(sheet))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+"""Export trained weights to ONNX: weights stored as float16, arithmetic in float32.
+
+python export.py SCENE_WEIGHTS.pt SPLAT_WEIGHTS.pt OUT_DIR
+"""
+
+import argparse
+import os
+
+import numpy as np
+import onnx
+import torch
+from onnx import TensorProto, helper, numpy_helper
+
+from nets import SceneNet, SplatNet, load_weights
+
+OPSET = 17
+# Smaller tensors (biases, norms) stay float32.
+HALVE_FROM = 1024
+
+SCENE_OUTPUTS = ["mask", "inverse_depth"]
+SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation"]
+
+
+class Scene(torch.nn.Module):
+    """image [1, 3, 256, 256] -> mask 0..1 and inverse depth, [1, 1, 256, 256] each."""
+
+    def __init__(self, net):
+        super().__init__()
+        self.n = net
+
+    def forward(self, image):
+        logits, depth = self.n(image)
+        return torch.sigmoid(logits), depth
+
+
+class Splat(torch.nn.Module):
+    """rgba [1, 4, 128, 128] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
+
+    def __init__(self, net):
+        super().__init__()
+        self.n = net
+
+    def forward(self, rgba):
+        out = self.n(rgba)
+        return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation"))
+
+
+def halve(path):
+    """Store the large float32 weights of the ONNX file as float16, each with a Cast back before its use."""
+    model = onnx.load(path)
+    casts = []
+    for tensor in model.graph.initializer:
+        if tensor.data_type != TensorProto.FLOAT or np.prod(tensor.dims) < HALVE_FROM:
+            continue
+        name = tensor.name
+        values = numpy_helper.to_array(tensor).astype(np.float16)
+        tensor.CopyFrom(numpy_helper.from_array(values, name + "_f16"))
+        casts.append(helper.make_node("Cast", [name + "_f16"], [name], to=TensorProto.FLOAT))
+    nodes = casts + list(model.graph.node)
+    del model.graph.node[:]
+    model.graph.node.extend(nodes)
+    onnx.checker.check_model(model)
+    onnx.save(model, path)
+
+
+def export(wrapped, example, path, input_name, output_names):
+    wrapped.eval()
+    with torch.no_grad():
+        torch.onnx.export(
+            wrapped,
+            (example,),
+            path,
+            input_names=[input_name],
+            output_names=output_names,
+            opset_version=OPSET,
+            dynamo=False,
+            do_constant_folding=True,
+        )
+    halve(path)
+    print(path, os.path.getsize(path), "bytes")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene")
+    parser.add_argument("splat")
+    parser.add_argument("out_dir")
+    args = parser.parse_args()
+    os.makedirs(args.out_dir, exist_ok=True)
+    scene = Scene(load_weights(SceneNet(), args.scene))
+    image = torch.rand(1, 3, SceneNet.SIZE, SceneNet.SIZE)
+    export(scene, image, os.path.join(args.out_dir, "scene.onnx"), "image", SCENE_OUTPUTS)
+    splat = Splat(load_weights(SplatNet(), args.splat))
+    rgba = torch.rand(1, 4, SplatNet.SIZE, SplatNet.SIZE)
+    export(splat, rgba, os.path.join(args.out_dir, "splat.onnx"), "rgba", SPLAT_OUTPUTS)
+
+
+if __name__ == "__main__":
+    main()

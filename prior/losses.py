@@ -1,0 +1,163 @@
+"""One training step's loss for either network, with figures to print and pictures to look at."""
+
+import math
+
+import torch
+import torch.nn.functional as F
+
+from nets import SplatNet
+from synth.batches import scene_batch, splat_batch
+
+
+def gradients(x):
+    """Mean absolute difference of neighbours, across and down, of x [..., H, W]."""
+    across = (x[..., 1:] - x[..., :-1]).abs().mean()
+    down = (x[..., 1:, :] - x[..., :-1, :]).abs().mean()
+    return across + down
+
+
+# ---------------------------------------------------------------- SceneNet
+
+
+def scene_step(net, pool, n):
+    """Returns loss, figures {name: float} and picture columns, each [n, 1 or 3, S, S] in 0..1."""
+    batch = scene_batch(pool, n)
+    with torch.autocast("cuda", torch.bfloat16):
+        logits, depth = net(batch.photo)
+    logits = logits[:, 0].float()
+    depth = depth[:, 0].float()
+    truth = normalised_inverse_depth(batch.depth)
+    answer = centred(depth)
+    mask_loss = mask_losses(logits, batch.alpha)
+    depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
+    loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss
+    figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss.item()}
+    columns = [
+        batch.photo,
+        batch.alpha[:, None],
+        torch.sigmoid(logits)[:, None],
+        (truth[:, None] + 1.5) / 5,
+        (answer[:, None] + 1.5) / 5,
+    ]
+    return loss, figures, columns
+
+
+def mask_losses(logits, alpha):
+    """Cross-entropy and Dice, [n, S, S]; pictures whose subject is all but out of view do not count."""
+    seen = (alpha.flatten(1).mean(1) > 0.01)[:, None, None].float()
+    mask = torch.sigmoid(logits)
+    overlap = (mask * alpha * seen).sum((1, 2))
+    dice = 1 - (2 * overlap + 1) / (((mask + alpha) * seen).sum((1, 2)) + 1)
+    entropy = F.binary_cross_entropy_with_logits(logits, alpha, weight=seen.expand_as(logits))
+    return entropy * 2 + dice.mean()
+
+
+def centred(x):
+    """x [n, H, W] without its own offset and scale: less its median, over its mean absolute deviation."""
+    middle = x.flatten(1).median(1)[0][:, None, None]
+    spread = (x - middle).abs().mean((1, 2), keepdim=True) + 1e-3
+    return (x - middle) / spread
+
+
+def normalised_inverse_depth(depth):
+    """Inverse depth of depth [n, H, W] (0 = infinitely far), centred."""
+    inverse = torch.where(depth > 0, 1 / depth.clamp(min=0.1), torch.zeros_like(depth))
+    return centred(inverse)
+
+
+def depth_losses(answer, truth, alpha):
+    """Absolute error, the subject weighing three times as much, and the error's gradients at three scales."""
+    error = answer - truth
+    absolute = (error.abs() * (1 + 2 * alpha)).mean()
+    edges = sum(gradients(F.avg_pool2d(error[:, None], step)) for step in (1, 2, 4))
+    return absolute, edges
+
+
+@torch.no_grad()
+def mask_iou(logits, alpha):
+    answer = logits > 0
+    truth = alpha > 0.5
+    union = (answer | truth).sum((1, 2)) + 1
+    return ((answer & truth).sum((1, 2)) / union).mean().item()
+
+
+# ---------------------------------------------------------------- SplatNet
+
+
+def splat_step(net, pool, n):
+    """Returns loss, figures {name: float} and picture columns, each [n, 3, S, S] in 0..1."""
+    batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
+    with torch.autocast("cuda", torch.bfloat16):
+        splats = net(batch.rgba)
+    colour, alpha = render(splats, batch.views, batch.alpha.shape[-1])
+    background = torch.rand(*batch.colour.shape[:3], 1, 1, device=colour.device)
+    answer = colour + (1 - alpha) * background
+    truth = batch.colour + (1 - batch.alpha) * background
+
+    weight = (~batch.empty).float()[:, None, None, None, None]
+    error = answer - truth
+    colour_loss = (weight * (error.abs() * 0.5 + error * error * 2)).mean()
+    alpha_loss = (weight * (alpha - batch.alpha) ** 2).mean()
+    edge_loss = sum(gradients(pooled(error, step)) for step in (1, 2, 4))
+    depth_loss = front_depth_loss(splats["depth"], batch)
+    elevation_loss = ((splats["elevation"] - batch.elevation) ** 2).mean()
+    size_loss = F.relu(splats["scale"] - 0.06).mean()
+    loss = colour_loss + alpha_loss + 0.5 * edge_loss / 3 + 0.25 * depth_loss + 0.1 * elevation_loss + 2 * size_loss
+    figures = {
+        **view_scores(answer, truth, alpha, batch.alpha, weight[:, 0]),
+        "depth": depth_loss.item(),
+        "el_deg": math.degrees(elevation_loss.sqrt().item()),
+    }
+    columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
+    return loss, figures, columns
+
+
+def render(splats, views, size):
+    """Splat into views [n, V, 4, 4] of SplatNet's field of view: colour [n, V, 3, S, S], alpha [n, V, 1, S, S]."""
+    from gsplat import rasterization
+
+    n, count = views.shape[:2]
+    focal = size / 2 / math.tan(SplatNet.FOV / 2)
+    intrinsics = torch.tensor([[focal, 0, size / 2], [0, focal, size / 2], [0, 0, 1]], device=views.device)
+    colour, alpha, _ = rasterization(
+        splats["pos"],
+        splats["quat"],
+        splats["scale"],
+        splats["opacity"],
+        splats["rgb"],
+        views,
+        intrinsics.expand(n, count, 3, 3),
+        size,
+        size,
+        packed=False,
+        near_plane=0.1,
+    )
+    return colour.permute(0, 1, 4, 2, 3), alpha.permute(0, 1, 4, 2, 3)
+
+
+def pooled(x, step):
+    return F.avg_pool2d(x.flatten(0, 1), step)
+
+
+def front_depth_loss(depth, batch):
+    """Mean distance between the front layer's depth [n, S, S] and the truth in the canonical view, on the subject."""
+    truth = batch.depth[:, 0]
+    valid = (truth > 0) & (batch.rgba[:, 3] > 0.5) & ~batch.empty[:, None, None]
+    return ((depth - truth).abs() * valid).sum() / valid.sum().clamp(min=1)
+
+
+@torch.no_grad()
+def view_scores(answer, truth, alpha, truth_alpha, weight):
+    """PSNR (dB) of the photo's own view, a near one and a far one, and the far one's silhouette IoU."""
+
+    def psnr(view):
+        return -10 * torch.log10(((answer - truth)[:, view] ** 2 * weight).mean()).item()
+
+    far = answer.shape[1] - 1
+    inside = (alpha > 0.5)[:, far]
+    truly = (truth_alpha > 0.5)[:, far]
+    iou = (inside & truly).float().sum() / ((inside | truly).float().sum() + 1)
+    return {"psnr_in": psnr(0), "psnr_near": psnr(1), "psnr_far": psnr(far), "iou_far": iou.item()}
+
+
+STEPS = {"scene": scene_step, "splat": splat_step}

@@ -1,0 +1,209 @@
+"""The two built-in networks.
+
+`SceneNet` reads a photo and says where its subject is and how deep the scene is.
+`SplatNet` reads the cropped subject and answers with two Gaussians a pixel.
+
+Both are the same small U-Net with a transformer at its coarsest grid. The attribute names of the modules are the
+parameter names of every checkpoint and of the ONNX files: renaming one breaks them all, so they stay short.
+"""
+
+import math
+
+import torch
+import torch.nn.functional as F
+from torch import nn
+
+
+class Res(nn.Module):
+    """Residual block of two 3x3 convolutions, [B, cin, H, W] -> [B, cout, H, W].
+
+    a, b: convolutions; n, m: their batch norms; k: the skip path (1x1 convolution where the width changes).
+    """
+
+    def __init__(self, cin, cout):
+        super().__init__()
+        self.a = nn.Conv2d(cin, cout, 3, padding=1, bias=False)
+        self.b = nn.Conv2d(cout, cout, 3, padding=1, bias=False)
+        self.n = nn.BatchNorm2d(cout)
+        self.m = nn.BatchNorm2d(cout)
+        self.k = nn.Identity() if cin == cout else nn.Conv2d(cin, cout, 1)
+        # A small last gain starts every block near the identity.
+        nn.init.constant_(self.m.weight, 0.2)
+
+    def forward(self, x):
+        inner = F.silu(self.n(self.a(x)))
+        return F.silu(self.k(x) + self.m(self.b(inner)))
+
+
+class Block(nn.Module):
+    """Pre-norm transformer block on tokens [B, N, dim].
+
+    n1, n2: layer norms; qkv, o: attention projections; h: heads; f: the feed-forward part.
+    """
+
+    def __init__(self, dim, heads):
+        super().__init__()
+        self.h = heads
+        self.n1 = nn.LayerNorm(dim)
+        self.n2 = nn.LayerNorm(dim)
+        self.qkv = nn.Linear(dim, 3 * dim)
+        self.o = nn.Linear(dim, dim)
+        self.f = nn.Sequential(nn.Linear(dim, 4 * dim), nn.GELU(), nn.Linear(4 * dim, dim))
+
+    def forward(self, x):
+        batch, tokens, dim = x.shape
+        qkv = self.qkv(self.n1(x)).reshape(batch, tokens, 3, self.h, dim // self.h)
+        query, key, value = qkv.permute(2, 0, 3, 1, 4).unbind(0)
+        mixed = F.scaled_dot_product_attention(query, key, value)
+        x = x + self.o(mixed.transpose(1, 2).reshape(batch, tokens, dim))
+        return x + self.f(self.n2(x))
+
+
+class UNet(nn.Module):
+    """Convolutions down to a `grid` x `grid` map, `depth` transformer blocks there, convolutions up again.
+
+    Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). Output: map [B, cout, S, S] and the mean token
+    [B, widths[-1]]. `blocks` is the number of residual blocks a level.
+    """
+
+    def __init__(self, cin, widths, cout, grid, depth, heads, blocks=2):
+        super().__init__()
+        self.stem = nn.Conv2d(cin, widths[0], 3, padding=1)
+        self.down = nn.ModuleList()
+        self.up = nn.ModuleList()
+        last = widths[0]
+        for width in widths:
+            self.down.append(level(last, width, blocks))
+            last = width
+        self.pos = nn.Parameter(torch.randn(1, grid * grid, last) * 0.02)
+        self.mid = nn.ModuleList(Block(last, heads) for _ in range(depth))
+        self.norm = nn.LayerNorm(last)
+        for width in reversed(widths):
+            self.up.append(level(last + width, width, blocks))
+            last = width
+        self.head = nn.Conv2d(last, cout, 1)
+
+    def forward(self, x):
+        x = self.stem(x)
+        skips = []
+        for i, down in enumerate(self.down):
+            x = down(x if i == 0 else F.avg_pool2d(x, 2))
+            skips.append(x)
+        batch, channels, height, width = x.shape
+        tokens = x.flatten(2).transpose(1, 2) + self.pos
+        for block in self.mid:
+            tokens = block(tokens)
+        tokens = self.norm(tokens)
+        x = tokens.transpose(1, 2).reshape(batch, channels, height, width)
+        for i, up in enumerate(self.up):
+            if i > 0:
+                x = F.interpolate(x, scale_factor=2.0, mode="nearest")
+            x = up(torch.cat([x, skips[-1 - i]], 1))
+        return self.head(x), tokens.mean(1)
+
+
+def level(cin, width, blocks):
+    """The residual blocks of one resolution; the first one changes the width."""
+    return nn.Sequential(*[Res(cin if i == 0 else width, width) for i in range(blocks)])
+
+
+class SceneNet(nn.Module):
+    """Photo [B, 3, 256, 256], sRGB 0..1, subject in the middle -> mask logits and inverse depth, [B, 1, 256, 256] each.
+
+    Inverse depth is right up to a scale and an offset of its own for every picture.
+    """
+
+    SIZE = 256
+
+    def __init__(self):
+        super().__init__()
+        self.net = UNet(3, (24, 48, 96, 192, 224), cout=2, grid=16, depth=6, heads=7)
+
+    def forward(self, x):
+        y, _ = self.net(x * 2 - 1)
+        return y[:, :1], y[:, 1:]
+
+
+class SplatNet(nn.Module):
+    """Subject on grey 0.5 and its mask, [B, 4, 128, 128] -> Gaussians in the canonical camera and its elevation.
+
+    The canonical camera has OpenCV axes (x right, y down, z forward) and a field of view of `FOV` radians; the
+    subject's bounding sphere has radius 1 and lies at (0, 0, `DIST`). With n = layers * 128 * 128 the answer holds
+    pos [B, n, 3], scale [B, n, 3] (same unit), quat [B, n, 4] (w first), opacity [B, n], rgb [B, n, 3] (0..1),
+    depth [B, 128, 128] of the front layer, and elevation [B] in radians above the horizon.
+    """
+
+    SIZE = 128
+    FOV = math.radians(30)
+    DIST = 3.9
+    # Channels a Gaussian: depth 1, offset 3, opacity 1, scale 3, quaternion 4, colour 3.
+    CHANNELS = 15
+
+    def __init__(self, layers=2):
+        super().__init__()
+        self.layers = layers
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=8, heads=8)
+        self.el = nn.Sequential(nn.Linear(256, 128), nn.SiLU(), nn.Linear(128, 1))
+        with torch.no_grad():
+            self.net.head.weight *= 0.3
+            self.net.head.bias.zero_()
+
+    def forward(self, x):
+        signed = torch.cat([x[:, :3] * 2 - 1, x[:, 3:] * 2 - 1], 1)
+        y, mean_token = self.net(signed)
+        y = y.float()
+        batch, _, height, width = y.shape
+        y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
+
+        depth = self.DIST + 1.3 * torch.tanh(y[:, :, :1] + self.depth_bias(x.device))
+        offset = 0.6 * torch.tanh(y[:, :, 1:4] * 0.5)
+        position = pixel_rays(height, width, self.FOV, x.device) * depth + offset
+        opacity = torch.sigmoid(y[:, :, 4:5] - 1)
+        scale = torch.exp((y[:, :, 5:8] - 3.9).clamp(-7.5, -1.2))
+        upright = torch.tensor([1.0, 0, 0, 0], device=x.device).reshape(1, 1, 4, 1, 1)
+        rotation = F.normalize(y[:, :, 8:12] + upright, dim=2)
+        # The photo's own colour is the starting point: the network answers only with the change.
+        colour = torch.sigmoid(y[:, :, 12:15] + torch.logit(x[:, None, :3].clamp(0.03, 0.97)))
+
+        def listed(t):
+            return t.permute(0, 1, 3, 4, 2).reshape(batch, self.layers * height * width, -1)
+
+        return {
+            "pos": listed(position),
+            "opacity": listed(opacity)[..., 0],
+            "scale": listed(scale),
+            "quat": listed(rotation),
+            "rgb": listed(colour),
+            "depth": depth[:, 0, 0],
+            "elevation": self.el(mean_token.float())[:, 0],
+        }
+
+    def depth_bias(self, device):
+        """[1, layers, 1, 1, 1]: the layers behind the first one start further away."""
+        bias = torch.zeros(1, self.layers, 1, 1, 1, device=device)
+        bias[:, 1:] = 0.5
+        return bias
+
+
+def pixel_rays(height, width, fov, device):
+    """Ray through every pixel centre with z = 1, [3, H, W], for a square picture of `fov` radians."""
+    step = 2 * math.tan(fov / 2) / width
+    across = (torch.arange(width, device=device) + 0.5 - width / 2) * step
+    return torch.stack(
+        [
+            across[None].expand(height, width),
+            across[:, None].expand(height, width),
+            torch.ones(height, width, device=device),
+        ]
+    )
+
+
+NETS = {"scene": SceneNet, "splat": SplatNet}
+
+
+def load_weights(net, path):
+    """Load a weights file (state dict) or a training checkpoint (its averaged weights) into `net`."""
+    stored = torch.load(path, map_location="cpu", weights_only=True)
+    state = stored.get("ema", stored)
+    net.load_state_dict({k: v.float() if v.is_floating_point() else v for k, v in state.items()})
+    return net

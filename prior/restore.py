@@ -1,0 +1,178 @@
+"""Recover PyTorch weights from an exported ONNX file, to evaluate or train on.
+
+    python restore.py {scene|splat} FILE.onnx WEIGHTS.pt [--calibrate]
+
+The export folds every batch norm into the convolution before it, so the restored norms pass their input through and
+only add the folded bias: the same function, but one that training could not go on from, because norms in training
+use each batch's own statistics. `--calibrate` (needs a GPU) measures those statistics on generated views and puts them
+back, with gains that undo them: the function stays, and training goes on from it. Without it, use the weights to
+evaluate and export only. The result is compared with ONNX Runtime, where that is installed.
+"""
+
+import argparse
+
+import numpy as np
+import onnx
+import torch
+from onnx import numpy_helper
+from torch import nn
+
+from export import Scene, Splat
+from nets import NETS, SplatNet
+
+LAYERS = ("Conv", "MatMul", "Gemm", "LayerNormalization")
+# Which batch norm was folded into a block's convolution a or b.
+NORM_OF = {"a": "n", "b": "m"}
+WRAPPERS = {"scene": Scene, "splat": Splat}
+
+
+def module_path(node_name):
+    """The module that a node was exported from: "/n/net/down.1/down.1.0/a/Conv" -> "net.down.1.0.a".
+
+    A container's child repeats the container's name, so of "down.1/down.1.0" only the last part counts.
+    """
+    parts = []
+    for part in node_name.split("/")[2:-1]:
+        if parts and part.startswith(parts[-1] + "."):
+            parts[-1] = part
+        else:
+            parts.append(part)
+    return ".".join(parts)
+
+
+def stored_values(graph):
+    """All weights by the name under which nodes read them, as float32 (float16 ones through their Cast)."""
+    values = {t.name: numpy_helper.to_array(t) for t in graph.initializer}
+    for node in graph.node:
+        if node.op_type in ("Cast", "Identity") and node.input[0] in values:
+            values[node.output[0]] = values[node.input[0]]
+    return {name: np.asarray(value, np.float32) for name, value in values.items()}
+
+
+def weights_by_module(graph):
+    """{module path: [weight, bias]} of every layer in the graph, matrices as PyTorch stores them ([out, in])."""
+    values = stored_values(graph)
+    layers = {}
+    for node in graph.node:
+        if node.op_type not in LAYERS or node.input[1] not in values:
+            continue
+        weights = [values[name] for name in node.input[1:] if name in values]
+        if node.op_type == "MatMul":
+            weights[0] = weights[0].T
+        layers[module_path(node.name)] = weights
+    # A matrix product's bias is a separate addition of the same module.
+    for node in graph.node:
+        layer = layers.get(module_path(node.name))
+        if node.op_type == "Add" and layer is not None and len(layer) == 1:
+            layer.extend(values[name] for name in node.input if name in values)
+    return layers
+
+
+def state_from_onnx(path, net):
+    """A state dict for `net` from the ONNX file; batch norms pass through and add the folded bias."""
+    graph = onnx.load(path).graph
+    state = {"net.pos": stored_values(graph)["n.net.pos"]}
+    modules = dict(net.named_modules())
+    for name, weights in weights_by_module(graph).items():
+        state[name + ".weight"] = weights[0]
+        parent, _, last = name.rpartition(".")
+        norm = f"{parent}.{NORM_OF.get(last, '')}"
+        if isinstance(modules.get(norm), nn.BatchNorm2d):
+            state |= passing_norm(norm, weights[1], modules[norm].eps)
+        else:
+            state[name + ".bias"] = weights[1]
+    return {name: torch.from_numpy(np.array(value)) for name, value in state.items()}
+
+
+def passing_norm(name, bias, eps):
+    """Parameters of a batch norm that in evaluation adds `bias` and does nothing else."""
+    ones = np.ones_like(bias)
+    return {
+        name + ".weight": ones * np.float32(np.sqrt(1 + eps)),
+        name + ".bias": bias,
+        name + ".running_mean": np.zeros_like(bias),
+        name + ".running_var": ones,
+        name + ".num_batches_tracked": np.array(0),
+    }
+
+
+@torch.no_grad()
+def calibrate(net, inputs):
+    """Give the batch norms the statistics of their inputs over `inputs` (batches), keeping the function.
+
+    y = x + bias becomes y = (x - mean) / sqrt(var + eps) * sqrt(var + eps) + (mean + bias).
+    """
+    norms = [m for m in net.modules() if isinstance(m, nn.BatchNorm2d)]
+    sums = {norm: [0.0, 0.0, 0] for norm in norms}
+
+    def measure(norm, args):
+        x = args[0].double()
+        sums[norm][0] += x.sum((0, 2, 3))
+        sums[norm][1] += (x * x).sum((0, 2, 3))
+        sums[norm][2] += x[:, 0].numel()
+
+    hooks = [norm.register_forward_pre_hook(measure) for norm in norms]
+    net.eval()
+    for batch in inputs:
+        net(batch)
+    for hook in hooks:
+        hook.remove()
+    for norm, (total, squares, count) in sums.items():
+        mean = total / count
+        variance = (squares / count - mean * mean).clamp(min=0)
+        norm.running_mean.copy_(mean)
+        norm.running_var.copy_(variance)
+        norm.weight.copy_((variance + norm.eps).sqrt())
+        norm.bias.copy_(norm.bias + mean)
+
+
+def generated_inputs(which, batches, batch=32, seed=0):
+    """Inputs of network `which` from the generator."""
+    from synth.batches import make_pool, scene_batch, splat_batch
+
+    torch.manual_seed(seed)
+    pool = make_pool(seed, 2000, processes=4)
+    for _ in range(batches):
+        if which == "scene":
+            yield scene_batch(pool, batch).photo
+        else:
+            yield splat_batch(pool, batch, SplatNet.FOV, SplatNet.DIST, views=2).rgba
+
+
+def compare(which, net, path, seed=0):
+    """Print the largest difference of every output between `net` and ONNX Runtime on one input."""
+    try:
+        import onnxruntime
+    except ImportError:
+        print("not compared: onnxruntime is not installed")
+        return
+    session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
+    (source,) = session.get_inputs()
+    example = torch.rand(source.shape, generator=torch.Generator().manual_seed(seed))
+    wrapped = WRAPPERS[which](net.cpu().float()).eval()
+    with torch.no_grad():
+        ours = wrapped(example)
+    theirs = session.run(None, {source.name: example.numpy()})
+    for output, a, b in zip(session.get_outputs(), ours, theirs, strict=True):
+        difference = np.abs(a.numpy() - b).max()
+        print(f"{output.name} {list(b.shape)}: largest difference {difference:.2e} of {np.abs(b).max():.2e}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("net", choices=sorted(NETS))
+    parser.add_argument("onnx")
+    parser.add_argument("weights")
+    parser.add_argument("--calibrate", action="store_true", help="make the batch norms fit to train on")
+    args = parser.parse_args()
+    net = NETS[args.net]()
+    net.load_state_dict(state_from_onnx(args.onnx, net))
+    if args.calibrate:
+        calibrate(net.cuda(), generated_inputs(args.net, batches=16))
+    compare(args.net, net, args.onnx)
+    torch.save(net.state_dict(), args.weights)
+    print(args.weights)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+"""The rows that the generator, the batches and the CUDA kernel share. `raycast.cu` reads the same columns.
+
+World frame: Z up, scaled so that the subject's bounding box has a diagonal of 2, centred on the origin.
+Camera frame: OpenCV (x right, y down, z forward).
+"""
+
+# Primitives an object may have.
+PRIMS = 48
+
+# Kinds of convex primitive. BOX: its top may be scaled (taper) and moved (shift) against its bottom.
+# CYL: elliptic, along local z, its top scaled by the first taper.
+BOX, BALL, CYL = 0, 1, 2
+
+# One primitive.
+FLOATS = 32
+KIND = 0
+CENTRE = slice(1, 4)
+ROTATION = slice(4, 13)  # world -> local, row-major
+HALF_SIZE = slice(13, 16)
+TAPER = slice(16, 18)
+SHIFT = slice(18, 20)
+COLOURS = (slice(20, 23), slice(23, 26))  # linear light, 0..1
+PATTERN = 26
+FREQUENCY = 27  # of the pattern, per unit length
+GLOSS = 28
+SHININESS = 29  # exponent of the highlight
+PATTERN_OFFSET = 30
+SUBJECT = 31  # 1 for the subject, 0 for what only stands around
+
+# One camera.
+CAMERA_FLOATS = 20
+FOCAL = slice(12, 14)  # pixels, after rotation (0:9) and translation (9:12), world -> camera
+CENTRE_X, CENTRE_Y = 14, 15  # pixels
+SUBJECT_ONLY = 16
+
+# One environment: sun direction 0:3 and colour 3:6, zenith 6:9, horizon 9:12, two ground colours 12:15 and 15:18,
+# then ground frequency, ambient light, checker flag, backdrop, seed, ground height, wall normal x and y, wall distance,
+# clouds, hills, and the hills' colour 29:32.
+ENVIRONMENT_FLOATS = 32
+OPEN_SKY, LANDSCAPE, WALL, NOISE_ROOM, CLUTTER = range(5)

@@ -1,0 +1,171 @@
+"""Train SceneNet or SplatNet on endless procedural views.
+
+    torchrun --nproc_per_node=N train.py {scene|splat} --seconds 500 [--total 1000] [--init weights.pt]
+
+Writes DIR/<net>.pt (everything needed to go on), DIR/<net>_weights.pt (averaged weights, float16, for export.py) and
+DIR/<net>.png (the last batch). A run that finds DIR/<net>.pt goes on from there. Progress: one JSON line every 20 s.
+The schedule follows the clock, so two runs of one seed see the same data but stop at different steps.
+"""
+
+import argparse
+import json
+import math
+import os
+import time
+import warnings
+
+import torch
+import torch.distributed as dist
+from torch.nn.parallel import DistributedDataParallel
+
+from losses import STEPS
+from nets import NETS, load_weights
+from pictures import save_sheet
+from synth.batches import make_pool
+
+LOG_SECONDS = 20
+STOP_EVERY = 20  # steps between two looks at the clock that all ranks share
+AVERAGE_EVERY = 4
+WARM_UP = 400  # steps
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("net", choices=sorted(NETS))
+    parser.add_argument("--seconds", type=float, default=480, help="length of this run")
+    parser.add_argument("--total", type=float, default=0, help="length of the whole schedule, earlier runs included")
+    parser.add_argument("--batch", type=int, default=48, help="samples a step and GPU")
+    parser.add_argument("--lr", type=float, default=4e-4)
+    parser.add_argument("--pool", type=int, default=40000, help="objects a GPU")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument(
+        "--processes", type=int, default=os.cpu_count() or 4, help="for making the pool, all GPUs together"
+    )
+    parser.add_argument("--dir", default="checkpoints")
+    parser.add_argument("--init", default="", help="weights to start from")
+    return parser.parse_args()
+
+
+class Average:
+    """Running average of a network's parameters and buffers, in float32."""
+
+    def __init__(self, net):
+        self.state = {k: v.detach().clone().float() for k, v in net.state_dict().items()}
+
+    @torch.no_grad()
+    def update(self, net, step):
+        decay = min(0.999, (1 + step) / (20 + step))
+        for name, value in net.state_dict().items():
+            if value.is_floating_point():
+                self.state[name].lerp_(value.float(), 1 - decay**AVERAGE_EVERY)
+            else:
+                self.state[name].copy_(value)
+
+    def half(self):
+        return {k: v.half() if v.is_floating_point() else v for k, v in self.state.items()}
+
+
+def learning_rate(base, step, done):
+    """Linear warm-up, then a cosine over the fraction `done` of the schedule, not below 2 %."""
+    cosine = 0.5 * (1 + math.cos(math.pi * min(1, done)))
+    return base * min(1, (step + 1) / WARM_UP) * max(0.02, cosine)
+
+
+def smooth(log, figures):
+    for name, value in figures.items():
+        log[name] = 0.98 * log.get(name, value) + 0.02 * value
+
+
+def out_of_time(start, seconds, world):
+    """Rank 0's clock decides, so that no rank waits for one that has stopped."""
+    stop = torch.tensor([float(time.time() - start > seconds)], device="cuda")
+    if world > 1:
+        dist.broadcast(stop, 0)
+    return bool(stop.item())
+
+
+def train(net, optimizer, average, pool, args, spent, step, rank, world):
+    """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
+    model = net
+    if world > 1:
+        model = DistributedDataParallel(net, device_ids=[rank], broadcast_buffers=False)
+    take_step = STEPS[args.net]
+    total = args.total or spent + args.seconds
+    start = logged = time.time()
+    log = {}
+    while True:
+        elapsed = time.time() - start
+        for group in optimizer.param_groups:
+            group["lr"] = learning_rate(args.lr, step, (spent + elapsed) / total)
+        loss, figures, columns = take_step(model, pool, args.batch)
+        optimizer.zero_grad(set_to_none=True)
+        loss.backward()
+        norm = torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
+        if torch.isfinite(norm):
+            optimizer.step()
+        step += 1
+        if step % AVERAGE_EVERY == 0:
+            average.update(net, step)
+        smooth(log, figures)
+        if step % STOP_EVERY:
+            continue
+        stop = out_of_time(start, args.seconds, world)
+        if rank == 0 and (stop or time.time() - logged > LOG_SECONDS):
+            logged = time.time()
+            line = {"it": step, "t": round(spent + elapsed), "samples": step * args.batch * world}
+            line["loss"] = round(loss.item(), 4)
+            print(json.dumps(line | {k: round(v, 3) for k, v in log.items()}), flush=True)
+        if stop:
+            return step, spent + time.time() - start, columns
+
+
+def main():
+    args = arguments()
+    warnings.simplefilter("ignore")
+    rank = int(os.environ.get("LOCAL_RANK", 0))
+    world = int(os.environ.get("WORLD_SIZE", 1))
+    torch.cuda.set_device(rank)
+    if world > 1:
+        dist.init_process_group("nccl")
+    torch.backends.cuda.matmul.allow_tf32 = True
+    torch.backends.cudnn.allow_tf32 = True
+    torch.backends.cudnn.benchmark = True
+    os.makedirs(args.dir, exist_ok=True)
+    path = os.path.join(args.dir, args.net)
+    saved = torch.load(path + ".pt", map_location="cuda") if os.path.exists(path + ".pt") else None
+    spent, step = (saved["spent"], saved["it"]) if saved else (0, 0)
+
+    # A run that goes on sees other objects than the one before it; no two GPUs see the same.
+    stream = args.seed + step
+    torch.manual_seed(1000 * stream + rank)
+    first_object = 1_000_000 * (64 * stream + rank + 1)
+    pool = make_pool(first_object, args.pool, max(2, args.processes // world))
+
+    net = NETS[args.net]()
+    if args.init:
+        load_weights(net, args.init)
+    net = net.cuda().to(memory_format=torch.channels_last)
+    average = Average(net)
+    optimizer = torch.optim.AdamW(net.parameters(), lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
+    if saved:
+        net.load_state_dict(saved["net"])
+        average.state = saved["ema"]
+        optimizer.load_state_dict(saved["opt"])
+    if rank == 0:
+        parameters = sum(p.numel() for p in net.parameters())
+        print(f"{args.net}: {parameters / 1e6:.1f} M parameters, {len(pool.prims)} objects, step {step}", flush=True)
+
+    step, spent, columns = train(net, optimizer, average, pool, args, spent, step, rank, world)
+    if rank == 0:
+        state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict()}
+        torch.save(state | {"spent": spent, "it": step}, path + ".pt")
+        torch.save(average.half(), path + "_weights.pt")
+        save_sheet(columns, path + ".png")
+        print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
+    if world > 1:
+        dist.barrier()
+        dist.destroy_process_group()
+
+
+if __name__ == "__main__":
+    main()

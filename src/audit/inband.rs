@@ -1,0 +1,294 @@
+//! The marking inside files: where each format carries it, and how to read it back.
+//!
+//! | Format | Carrier |
+//! | --- | --- |
+//! | PLY | a header line `comment CLASSIFICATION: …` |
+//! | PNG | an iTXt chunk with the keyword `Classification` (PNG third edition §11.3.3.4) |
+//! | OpenFlight | a Comment record (opcode 31) of the Header, before the first push |
+//! | XML | `CLASSIFICATION: …` in any text, such as the `Comment` of a CDB's Version.xml |
+//! | SGI image | the image name of its header |
+//! | ZIP | the archive comment |
+//! | `orb-marking.json` | its `banner` |
+//!
+//! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
+
+use super::canonical::Json;
+use super::marking::{LINE_PREFIX, Marking};
+
+/// The keyword of the PNG chunk.
+const PNG_KEYWORD: &str = "Classification";
+const PNG_SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// What a file says about its marking.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Carried {
+    /// Every banner found, as text, at least one.
+    Banners(Vec<String>),
+    /// The format has a carrier, and it is empty.
+    Nothing {
+        /// Orb always fills this carrier.
+        required: bool,
+    },
+    /// No carrier in this format, or none that is read here.
+    NoCarrier,
+}
+
+/// Reads the marking of a file by its name's ending.
+pub fn read(name: &str, bytes: &[u8]) -> Carried {
+    let file = name.rsplit('/').next().unwrap_or(name);
+    let ending = file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
+    let (found, required) = match ending.as_str() {
+        "ply" => (ply(bytes), true),
+        "png" => (png(bytes), true),
+        "flt" => (openflight(bytes), true),
+        "xml" => (lines_in(bytes), file == "Version.xml"),
+        "rgb" | "sgi" => (words_in(bytes.get(24..104).unwrap_or_default()), false),
+        "zip" => (words_in(zip_comment(bytes)), false),
+        "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
+        _ => return Carried::NoCarrier,
+    };
+    if found.is_empty() { Carried::Nothing { required } } else { Carried::Banners(found) }
+}
+
+/// True for names whose files are worth reading for a marking.
+pub fn has_carrier(name: &str) -> bool {
+    read(name, &[]) != Carried::NoCarrier
+}
+
+/// Compares a file with the marking that it must carry. `Some` says what is there instead.
+pub fn mismatch(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
+    match read(name, bytes) {
+        Carried::Banners(banners) => {
+            let wrong = banners.iter().find(|b| b.as_str() != marking.banner())?;
+            Some(format!("{LINE_PREFIX}{wrong}"))
+        }
+        Carried::Nothing { required: true } => Some("no marking inside".into()),
+        Carried::Nothing { required: false } | Carried::NoCarrier => None,
+    }
+}
+
+/// The same for a file that others share, such as an archive of a store, which gathers the markings of all that was
+/// ever put into it: this one must be among them.
+pub fn mismatch_in_store(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
+    match read(name, bytes) {
+        Carried::Banners(banners) if !banners.iter().any(|b| b == marking.banner()) => {
+            Some(format!("{LINE_PREFIX}{}", banners.join(", ")))
+        }
+        _ => None,
+    }
+}
+
+fn sidecar(bytes: &[u8]) -> Vec<String> {
+    match super::canonical::parse(bytes) {
+        Ok(Json::Map(map)) => match map.get("banner") {
+            Some(Json::Text(banner)) => vec![banner.clone()],
+            _ => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// Comment lines of a PLY header.
+fn ply(bytes: &[u8]) -> Vec<String> {
+    bytes
+        .split(|b| *b == b'\n')
+        .take_while(|line| line.trim_ascii() != b"end_header")
+        .take(10_000)
+        .filter_map(|line| line.trim_ascii().strip_prefix(b"comment "))
+        .filter_map(|text| text.strip_prefix(LINE_PREFIX.as_bytes()))
+        .map(|text| String::from_utf8_lossy(text).trim().to_owned())
+        .collect()
+}
+
+/// iTXt chunks: keyword, NUL, compression flag and method, language, NUL, translated keyword, NUL, UTF-8 text.
+fn png(bytes: &[u8]) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = bytes.strip_prefix(PNG_SIGNATURE).unwrap_or_default();
+    while let Some((head, tail)) = rest.split_at_checked(8) {
+        let length = u32::from_be_bytes([head[0], head[1], head[2], head[3]]) as usize;
+        let Some(data) = tail.get(..length) else { break };
+        if &head[4..8] == b"iTXt"
+            && let Some(text) = data.strip_prefix(PNG_KEYWORD.as_bytes()).and_then(|d| d.strip_prefix(&[0, 0, 0]))
+        {
+            let text = text.splitn(3, |b| *b == 0).nth(2).unwrap_or_default();
+            found.push(String::from_utf8_lossy(text).into_owned());
+        }
+        rest = tail.get(length + 4..).unwrap_or_default();
+    }
+    found
+}
+
+/// Big-endian records (u16 opcode, u16 length): the comments between the header (1) and the first push (10).
+fn openflight(bytes: &[u8]) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = bytes;
+    let mut first = true;
+    while let [a, b, c, d, ..] = *rest {
+        let (opcode, length) = (u16::from_be_bytes([a, b]), usize::from(u16::from_be_bytes([c, d])));
+        if opcode == 10 || (first && opcode != 1) || length < 4 {
+            break;
+        }
+        let Some(record) = rest.get(..length) else { break };
+        if opcode == 31 {
+            found.extend(words_in(&record[4..]));
+        }
+        first = false;
+        rest = &rest[length..];
+    }
+    found
+}
+
+/// The end-of-central-directory record's comment (ZIP application note 6.3, §4.3.16).
+fn zip_comment(bytes: &[u8]) -> &[u8] {
+    let window = &bytes[bytes.len().saturating_sub(22 + 0xffff)..];
+    let end = window.windows(22).rposition(|w| w.starts_with(b"PK\x05\x06"));
+    end.map_or(&[], |at| &window[at + 22..])
+}
+
+/// Markings in a short field: whole lines or element texts that are a banner, and every `CLASSIFICATION: …`.
+fn words_in(bytes: &[u8]) -> Vec<String> {
+    let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
+    let plain = text.split(|b| b"\n\r<>".contains(b)).filter_map(|word| {
+        let word = std::str::from_utf8(word).ok()?.trim();
+        Marking::parse(word).is_ok().then(|| word.to_owned())
+    });
+    plain.chain(lines_in(text)).collect()
+}
+
+/// What follows every `CLASSIFICATION: `, as far as a banner's own characters go.
+fn lines_in(bytes: &[u8]) -> Vec<String> {
+    let prefix = LINE_PREFIX.as_bytes();
+    let mut found = Vec::new();
+    let mut rest = bytes;
+    while let Some(at) = rest.windows(prefix.len()).position(|w| w == prefix) {
+        rest = &rest[at + prefix.len()..];
+        let in_banner = |b: &u8| b.is_ascii_uppercase() || b.is_ascii_digit() || b" /,-".contains(b);
+        let banner: Vec<u8> = rest.iter().copied().take(256).take_while(in_banner).collect();
+        found.push(String::from_utf8_lossy(&banner).trim_end_matches([' ', ',', '-']).to_owned());
+    }
+    found
+}
+
+/// Puts the marking into a PNG, right after its header chunk. Bytes that are no PNG come back as they are.
+pub fn mark_png(png: &[u8], marking: Marking) -> Vec<u8> {
+    // Signature, then IHDR: length 13, type, data, check sum.
+    let head = PNG_SIGNATURE.len() + 8 + 13 + 4;
+    if !png.starts_with(PNG_SIGNATURE) || png.len() < head {
+        return png.to_vec();
+    }
+    let mut chunk = b"iTXt".to_vec();
+    chunk.extend_from_slice(PNG_KEYWORD.as_bytes());
+    chunk.extend_from_slice(&[0, 0, 0, 0, 0]); // end of keyword, not compressed, method 0, no language, no translation
+    chunk.extend_from_slice(marking.banner().as_bytes());
+    let mut out = Vec::with_capacity(png.len() + chunk.len() + 8);
+    out.extend_from_slice(&png[..head]);
+    out.extend_from_slice(&((chunk.len() - 4) as u32).to_be_bytes());
+    out.extend_from_slice(&chunk);
+    out.extend_from_slice(&crc32(&chunk).to_be_bytes());
+    out.extend_from_slice(&png[head..]);
+    out
+}
+
+/// The check sum of PNG chunks: CRC-32, polynomial 0xEDB88320 reflected (PNG third edition, annex D).
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0u32, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |c, _| if c & 1 == 1 { 0xEDB8_8320 ^ (c >> 1) } else { c >> 1 })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn png_of(width: u32) -> Vec<u8> {
+        let mut out = std::io::Cursor::new(Vec::new());
+        image::RgbImage::from_pixel(width, 2, image::Rgb([1, 2, 3]))
+            .write_to(&mut out, image::ImageFormat::Png)
+            .unwrap();
+        out.into_inner()
+    }
+
+    fn record(opcode: u16, body: &[u8]) -> Vec<u8> {
+        let length = (4 + body.len()) as u16;
+        [&opcode.to_be_bytes()[..], &length.to_be_bytes(), body].concat()
+    }
+
+    #[test]
+    fn a_marked_png_is_still_a_png() {
+        assert_eq!(crc32(b"123456789"), 0xCBF4_3926, "the check value of CRC-32");
+        let plain = png_of(3);
+        assert_eq!(mismatch("a.png", &plain, Marking::Cui), Some("no marking inside".into()));
+        for level in Marking::ALL {
+            let marked = mark_png(&plain, level);
+            assert_eq!(read("p/a.png", &marked), Carried::Banners(vec![level.banner().into()]));
+            let image = image::load_from_memory(&marked).unwrap();
+            assert_eq!(image, image::load_from_memory(&plain).unwrap());
+        }
+        assert_eq!(mark_png(b"no PNG", Marking::Cui), b"no PNG");
+    }
+
+    #[test]
+    fn carriers() {
+        let line = Marking::Secret.line();
+        let ply = format!("ply\nformat ascii 1.0\ncomment {line}\nend_header\ncomment CLASSIFICATION: CUI\n");
+        let version = format!("<Version><Comment>{line}. Made by Orb</Comment></Version>");
+        let mut sgi = vec![0; 600];
+        sgi[24..24 + line.len()].copy_from_slice(line.as_bytes());
+        let flt = |comment: &str| {
+            [
+                record(1, &[0; 100]),
+                record(31, format!("{comment}\0\0").as_bytes()),
+                record(10, &[]),
+                record(31, b"CLASSIFICATION: CUI\0"),
+            ]
+            .concat()
+        };
+        let xml_comment = flt("<orb:Marking xmlns:orb=\"urn:orb:marking\" comment=\"van\">SECRET</orb:Marking>");
+        let mut zip = b"PK\x05\x06".to_vec();
+        zip.extend([0; 18]);
+        zip.extend(line.as_bytes());
+        for (name, bytes) in [
+            ("s.ply", ply.as_bytes()),
+            ("X.cdb/Metadata/Version.xml", version.as_bytes()),
+            ("s.xsd.xml", format!("<!-- {line} --><x/>").as_bytes()),
+            ("t.rgb", &sgi),
+            ("t.zip", &zip),
+            ("m.flt", &flt(&line)),
+            ("m.flt", &flt("SECRET")),
+            ("m.FLT", &xml_comment),
+        ] {
+            assert_eq!(read(name, bytes), Carried::Banners(vec!["SECRET".into()]), "{name}");
+            assert_eq!(mismatch(name, bytes, Marking::Secret), None);
+            assert_eq!(mismatch(name, bytes, Marking::Cui), Some("CLASSIFICATION: SECRET".into()));
+        }
+        assert!(mismatch("Version.xml", b"<Version/>", Marking::Cui).is_some());
+        assert_eq!(mismatch("Other.xml", b"<Other/>", Marking::Cui), None);
+        assert_eq!(read("a.dbf", line.as_bytes()), Carried::NoCarrier);
+    }
+
+    #[test]
+    fn a_second_lower_banner_does_not_hide() {
+        let text = "<a>CLASSIFICATION: SECRET</a><b>CLASSIFICATION: UNCLASSIFIED</b>";
+        assert!(mismatch("Version.xml", text.as_bytes(), Marking::Secret).is_some());
+    }
+
+    #[test]
+    fn a_shared_archive_gathers_markings() {
+        let mut zip = b"PK\x05\x06".to_vec();
+        zip.extend([0; 18]);
+        zip.extend(b"CLASSIFICATION: CUI\nUNCLASSIFIED");
+        assert!(mismatch("a.zip", &zip, Marking::Cui).is_some());
+        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Cui), None);
+        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Unclassified), None);
+        assert!(mismatch_in_store("a.zip", &zip, Marking::Secret).is_some());
+    }
+
+    #[test]
+    fn nothing_but_bytes() {
+        for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n\xff\xff\xff\xff", &[0, 1, 0, 2], &[0, 1, 255, 255], &[0xff; 64]] {
+            for name in ["a.png", "a.flt", "a.ply", "a.xml", "a.rgb", "a.zip"] {
+                assert!(matches!(read(name, bytes), Carried::Nothing { .. }), "{name}");
+            }
+        }
+    }
+}

@@ -1,0 +1,326 @@
+//! Signing keys: RSA, PKCS#1 v1.5, SHA-256 (RFC 8017 §8.2), made and used by aws-lc-rs.
+//!
+//! A first run makes a key of 3072 bits in the user's data folder, readable by that user only. Such a key gives
+//! integrity; it does not bind a person, and anything above UNCLASSIFIED asks for a key that was named on purpose.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::Write as _;
+use std::path::Path;
+
+use aws_lc_rs::encoding::{AsDer, Pkcs8V1Der, PublicKeyX509Der};
+use aws_lc_rs::rand::SystemRandom;
+use aws_lc_rs::rsa::{KeyPair, KeySize};
+use aws_lc_rs::signature::{self, KeyPair as _, UnparsedPublicKey};
+use rsa::pkcs1v15;
+use rsa::pkcs8::DecodePublicKey as _;
+use rsa::signature::Verifier as _;
+use rsa::traits::PublicKeyParts as _;
+
+use super::canonical::sha256_hex;
+use super::data_folder::DataFolder;
+use super::disk::{self, Disk};
+use super::marking::Marking;
+use super::pem;
+use crate::{Error, Kind, Result};
+
+/// The signature algorithm's name in records: RSASSA-PKCS1-v1_5 with SHA-256 (RFC 7518 §3.3).
+pub const ALGORITHM: &str = "RS256";
+const PRIVATE_LABEL: &str = "PRIVATE KEY";
+const PUBLIC_LABEL: &str = "PUBLIC KEY";
+/// Accepted sizes of the modulus, bits.
+const MIN_BITS: usize = 2048;
+const MAX_BITS: usize = 4096;
+/// Below this a key works, with a warning.
+pub const ADVISED_BITS: usize = 3072;
+
+/// Where a signing key came from: `actor.key_source` of the record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KeySource {
+    /// Made by Orb in the user's data folder on the first run.
+    UserData,
+    /// Named by `--key`.
+    NamedFile,
+}
+
+impl KeySource {
+    pub fn name(self) -> &'static str {
+        match self {
+            KeySource::UserData => "user-data-file",
+            KeySource::NamedFile => "named-file",
+        }
+    }
+}
+
+/// A public key, as SubjectPublicKeyInfo (RFC 5280 §4.1.2.7).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PublicKey {
+    spki: Vec<u8>,
+    bits: usize,
+    fingerprint: String,
+}
+
+impl PublicKey {
+    /// # Errors
+    /// Words saying why the key is refused: not RSA, outside 2048..=4096 bits, or a public exponent below 65537.
+    pub fn from_spki(spki: &[u8]) -> Result<PublicKey, String> {
+        let key = rsa::RsaPublicKey::from_public_key_der(spki)
+            .map_err(|e| format!("not an RSA public key of at most {MAX_BITS} bits ({e})"))?;
+        let bits = key.n().bits();
+        if !(MIN_BITS..=MAX_BITS).contains(&bits) {
+            return Err(format!("an RSA key of {bits} bits; {MIN_BITS} to {MAX_BITS} are accepted"));
+        }
+        if *key.e() < rsa::BigUint::from(65_537u32) {
+            return Err(format!("an RSA key with the public exponent {}; 65537 or more is accepted", key.e()));
+        }
+        Ok(PublicKey { spki: spki.to_vec(), bits, fingerprint: sha256_hex(spki) })
+    }
+
+    pub fn from_pem(text: &str) -> Result<PublicKey, String> {
+        PublicKey::from_spki(&pem::decode(PUBLIC_LABEL, text)?)
+    }
+
+    pub fn to_pem(&self) -> String {
+        pem::encode(PUBLIC_LABEL, &self.spki)
+    }
+
+    /// SHA-256 of the SubjectPublicKeyInfo, lower-case hexadecimal; what `openssl pkey -pubin -outform DER | sha256sum`
+    /// prints.
+    pub fn fingerprint(&self) -> &str {
+        &self.fingerprint
+    }
+
+    pub fn bits(&self) -> usize {
+        self.bits
+    }
+
+    /// True only when two independent implementations, aws-lc-rs and the `rsa` crate, both accept the signature.
+    /// `Err` when they disagree, which must never happen.
+    pub fn verify(&self, message: &[u8], sig: &[u8]) -> Result<bool, String> {
+        let first =
+            UnparsedPublicKey::new(&signature::RSA_PKCS1_2048_8192_SHA256, &self.spki).verify(message, sig).is_ok();
+        let second = rsa::RsaPublicKey::from_public_key_der(&self.spki).is_ok_and(|key| {
+            let key = pkcs1v15::VerifyingKey::<rsa::sha2::Sha256>::new(key);
+            pkcs1v15::Signature::try_from(sig).is_ok_and(|sig| key.verify(message, &sig).is_ok())
+        });
+        if first == second { Ok(first) } else { Err(format!("aws-lc-rs says {first}, the rsa crate says {second}")) }
+    }
+}
+
+/// A key pair that can sign.
+pub struct SigningKey {
+    pair: KeyPair,
+    public: PublicKey,
+    source: KeySource,
+}
+
+impl std::fmt::Debug for SigningKey {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SigningKey").field("fingerprint", &self.public.fingerprint).finish_non_exhaustive()
+    }
+}
+
+/// A key for a run, and what the user should be told about it.
+#[derive(Debug)]
+pub struct KeyForRun {
+    pub key: SigningKey,
+    /// This run made it.
+    pub created: bool,
+    pub warning: Option<String>,
+}
+
+impl SigningKey {
+    /// A new RSA-3072 key; takes about a third of a second.
+    ///
+    /// # Errors
+    /// [`Kind::Environment`] when the system gives no randomness.
+    pub fn generate(source: KeySource) -> Result<SigningKey> {
+        let pair = KeyPair::generate(KeySize::Rsa3072)
+            .map_err(|_| Error::environment("key generation").found("the cryptographic library failed"))?;
+        SigningKey::from_pair(pair, source).map_err(|found| Error::environment("key generation").found(found))
+    }
+
+    fn from_pair(pair: KeyPair, source: KeySource) -> Result<SigningKey, String> {
+        let spki: PublicKeyX509Der<'_> =
+            pair.public_key().as_der().map_err(|_| "the public key cannot be encoded".to_owned())?;
+        let public = PublicKey::from_spki(spki.as_ref())?;
+        Ok(SigningKey { pair, public, source })
+    }
+
+    /// Reads a PKCS#8 PEM file that only its owner can read.
+    ///
+    /// # Errors
+    /// [`Kind::Environment`] when the file cannot be read; [`Kind::Policy`] when others may read it or the key is too
+    /// weak; [`Kind::Usage`] when it is not a key.
+    pub fn load(path: &Path, source: KeySource) -> Result<SigningKey> {
+        let subject = path.display().to_string();
+        let metadata = fs::metadata(path).map_err(|e| {
+            Error::io(path, &e).advice("`orb audit keygen -o FILE` makes a key; name it with --key FILE.")
+        })?;
+        if !metadata.is_file() {
+            return Err(Error::usage(subject).expected("a PEM file").found("something else"));
+        }
+        check_private(path, &metadata)?;
+        let bytes = disk::read_limited(path, pem::MAX_BYTES)?;
+        let not_a_key = |found: String| {
+            Error::usage(path.display().to_string())
+                .expected("an unencrypted RSA private key in PKCS#8 PEM form")
+                .found(found)
+                .advice("`openssl pkcs8 -topk8 -nocrypt -in OLD.pem -out NEW.pem` converts other forms.")
+        };
+        let text = String::from_utf8(bytes).map_err(|_| not_a_key("bytes that are not text".into()))?;
+        let der = pem::decode(PRIVATE_LABEL, &text).map_err(not_a_key)?;
+        let pair = KeyPair::from_pkcs8(&der).map_err(|e| {
+            Error::policy(path.display().to_string())
+                .expected(format!("an RSA key of {MIN_BITS} to {MAX_BITS} bits"))
+                .found(format!("ALG_REFUSED: {e}"))
+        })?;
+        SigningKey::from_pair(pair, source)
+            .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))
+    }
+
+    /// Writes the private key (mode 0600 from its creation) and, beside it, `FILE.pub.pem`. Never over a file.
+    ///
+    /// # Errors
+    /// [`Kind::Usage`] when one of them exists; [`Kind::Environment`] when they cannot be written.
+    pub fn save(&self, path: &Path) -> Result<()> {
+        let public_path = public_path(path);
+        for path in [path, &public_path] {
+            if fs::symlink_metadata(path).is_ok() {
+                return Err(Error::usage(path.display().to_string())
+                    .expected("a new file")
+                    .found("an existing one")
+                    .advice("A key is never overwritten: what it signed could no longer be verified."));
+            }
+        }
+        let der: Pkcs8V1Der<'_> = self
+            .pair
+            .as_der()
+            .map_err(|_| Error::environment(path.display().to_string()).found("the key cannot be encoded"))?;
+        write_private(path, pem::encode(PRIVATE_LABEL, der.as_ref()).as_bytes())?;
+        let written = Disk::default().write_new(&public_path, self.public.to_pem().as_bytes());
+        if let Err(error) = written {
+            // Half a key pair would stand in the way of the next attempt.
+            let _ = fs::remove_file(path);
+            return Err(error);
+        }
+        Ok(())
+    }
+
+    /// The signature, as long as the modulus. The same message gives the same signature.
+    ///
+    /// # Errors
+    /// [`Kind::Environment`] when the library fails.
+    pub fn sign(&self, message: &[u8]) -> Result<Vec<u8>> {
+        let mut sig = vec![0; self.pair.public_modulus_len()];
+        self.pair
+            .sign(&signature::RSA_PKCS1_SHA256, &SystemRandom::new(), message, &mut sig)
+            .map_err(|_| Error::environment("signing").found("the cryptographic library failed"))?;
+        Ok(sig)
+    }
+
+    pub fn public(&self) -> &PublicKey {
+        &self.public
+    }
+
+    pub fn source(&self) -> KeySource {
+        self.source
+    }
+}
+
+/// The key for a product of this marking: the named file, or below CUI the user's own, made on the first run.
+///
+/// Its public half is trusted from then on by this user. Two first runs at once make one key.
+///
+/// # Errors
+/// [`Kind::Policy`], `KEY_REQUIRED`, for CUI and above without a named key; else as [`SigningKey::load`].
+pub fn for_marking(data: &DataFolder, marking: Marking, named: Option<&Path>) -> Result<KeyForRun> {
+    let (key, created) = match named {
+        Some(path) => (SigningKey::load(path, KeySource::NamedFile)?, false),
+        None if marking.needs_named_key() => {
+            return Err(Error::policy("--key")
+                .expected(format!("a signing key named for a product marked {marking}"))
+                .found("KEY_REQUIRED: none")
+                .advice("Name one with --key FILE; `orb audit keygen -o FILE` makes one."));
+        }
+        None => own_key(data)?,
+    };
+    super::trust::add(data, key.public())?;
+    let warning = (key.public.bits < ADVISED_BITS)
+        .then(|| format!("the signing key has {} bits; {ADVISED_BITS} or more are advised", key.public.bits));
+    Ok(KeyForRun { key, created, warning })
+}
+
+fn own_key(data: &DataFolder) -> Result<(SigningKey, bool)> {
+    let folder = data.subfolder("keys")?;
+    let path = folder.join("orb-signing.pem");
+    let lock_path = folder.join("lock");
+    let lock = OpenOptions::new().create(true).append(true).open(&lock_path).map_err(|e| Error::io(&lock_path, &e))?;
+    // Held until the file is closed: a second first run waits here and then finds the key.
+    lock.lock().map_err(|e| Error::io(&lock_path, &e))?;
+    if fs::symlink_metadata(&path).is_ok() {
+        return Ok((SigningKey::load(&path, KeySource::UserData)?, false));
+    }
+    let key = SigningKey::generate(KeySource::UserData)?;
+    // A kill between the two files leaves a public key without its private half: it is worth nothing.
+    let _ = fs::remove_file(public_path(&path));
+    key.save(&path)?;
+    Disk::default().sync_dir(&folder)?;
+    Ok((key, true))
+}
+
+fn public_path(path: &Path) -> std::path::PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    path.with_file_name(format!("{stem}.pub.pem"))
+}
+
+/// The file has its mode from its creation: there is no moment in which others could open it.
+fn write_private(path: &Path, bytes: &[u8]) -> Result<()> {
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt as _;
+        options.mode(0o600);
+    }
+    let write = |file: &mut File| file.write_all(bytes).and_then(|()| file.sync_all());
+    let mut file = options.open(path).map_err(|e| disk::write_error(path, bytes.len(), &e))?;
+    write(&mut file).map_err(|e| {
+        let _ = fs::remove_file(path);
+        disk::write_error(path, bytes.len(), &e)
+    })
+}
+
+#[cfg(unix)]
+fn check_private(path: &Path, metadata: &fs::Metadata) -> Result<()> {
+    use std::os::unix::fs::PermissionsExt as _;
+    let mode = metadata.permissions().mode() & 0o777;
+    if mode & 0o077 == 0 {
+        return Ok(());
+    }
+    Err(Error::policy(path.display().to_string())
+        .expected("a private key that only its owner can read (mode 0600)")
+        .found(format!("KEY_PERMISSIONS: mode {mode:04o}"))
+        .advice(format!("If nobody else has read it: chmod 600 {}. Otherwise make a new key.", path.display())))
+}
+
+/// Elsewhere the profile folder's own access rules apply; they cannot be read without more libraries.
+#[cfg(not(unix))]
+fn check_private(_: &Path, _: &fs::Metadata) -> Result<()> {
+    Ok(())
+}
+
+/// Makes a key file on request.
+///
+/// # Errors
+/// As [`SigningKey::save`].
+pub fn keygen(path: &Path) -> Result<SigningKey> {
+    if path.file_name().is_none() {
+        return Err(Error::new(Kind::Usage, path.display().to_string()).expected("the name of a new file"));
+    }
+    let key = SigningKey::generate(KeySource::NamedFile)?;
+    key.save(path)?;
+    Ok(key)
+}
+
+#[cfg(test)]
+pub(crate) mod tests;

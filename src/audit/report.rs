@@ -1,0 +1,270 @@
+//! What a verification found: findings, one verdict, the exit code, as text and as JSON.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use crate::Kind;
+
+pub const SCHEMA: &str = "orb.verify/v1";
+
+/// The worst finding decides; later is worse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    Pass,
+    /// Something needed for a verdict is missing.
+    Incomplete,
+    /// A policy refuses to judge or to accept.
+    Refused,
+    /// Something is not what the record says.
+    Fail,
+}
+
+impl Verdict {
+    pub fn exit_code(self) -> u8 {
+        match self {
+            Verdict::Pass => 0,
+            Verdict::Fail => Kind::Integrity.exit_code(),
+            Verdict::Incomplete => Kind::Incomplete.exit_code(),
+            Verdict::Refused => Kind::Policy.exit_code(),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    Error,
+    Warning,
+    /// Worth knowing; says what was not checked.
+    Note,
+}
+
+/// One thing that was found. Codes are never reused for another meaning.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    pub code: &'static str,
+    pub severity: Severity,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seq: Option<u64>,
+    /// The file, or the field of the record.
+    pub subject: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub expected: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub actual: String,
+    /// Controls of NIST SP 800-53 that the finding is evidence about.
+    pub controls: &'static [&'static str],
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub hint: String,
+    #[serde(skip)]
+    pub verdict: Verdict,
+}
+
+impl Finding {
+    /// A finding whose severity and verdict follow from its code.
+    pub fn new(code: &'static str, subject: impl Into<String>) -> Finding {
+        let (severity, verdict) = weight(code);
+        Finding {
+            code,
+            severity,
+            seq: None,
+            subject: subject.into(),
+            expected: String::new(),
+            actual: String::new(),
+            controls: controls(code),
+            hint: hint(code).to_owned(),
+            verdict,
+        }
+    }
+    pub fn expected(mut self, text: impl Into<String>) -> Finding {
+        self.expected = text.into();
+        self
+    }
+    pub fn actual(mut self, text: impl Into<String>) -> Finding {
+        self.actual = text.into();
+        self
+    }
+}
+
+fn weight(code: &str) -> (Severity, Verdict) {
+    match code {
+        "INPUT_MISSING" | "STORE_NOT_CHECKED" | "TIME_UNSYNCED" | "TAIL_UNANCHORED" => (Severity::Note, Verdict::Pass),
+        "OUTPUT_EXTRA" | "KEY_SHORT" | "SEAL_FILE_MISSING" => (Severity::Warning, Verdict::Pass),
+        "RECORD_MISSING" | "TRUST_STORE_EMPTY" => (Severity::Error, Verdict::Incomplete),
+        "ALG_REFUSED" | "MARKING_UNSUPPORTED" => (Severity::Error, Verdict::Refused),
+        _ => (Severity::Error, Verdict::Fail),
+    }
+}
+
+fn controls(code: &str) -> &'static [&'static str] {
+    match code {
+        "OUTPUT_DIGEST" | "OUTPUT_MISSING" | "OUTPUT_EXTRA" | "INPUT_DIGEST" | "INPUT_MISSING"
+        | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
+        "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" => &["au-9.3", "au-10"],
+        "ALG_REFUSED" | "KEY_SHORT" => &["sc-13"],
+        "TIME_FUTURE" | "TIME_UNSYNCED" => &["au-8"],
+        "MARKING_DOWNGRADE" | "MARKING_INBAND_MISMATCH" | "MARKING_UNSUPPORTED" => &["mp-3", "ac-16"],
+        "SCHEMA_INVALID" | "TYPE_UNSUPPORTED" | "RECORD_MISSING" => &["au-3", "au-12"],
+        _ => &["au-9.3"],
+    }
+}
+
+fn hint(code: &str) -> &'static str {
+    match code {
+        "OUTPUT_DIGEST" => "The file is not the one that was sealed. Take it from its source again.",
+        "OUTPUT_MISSING" => "The folder is not whole. Take it from its source again.",
+        "OUTPUT_EXTRA" => "The file is not covered by the seal. Nothing here vouches for it.",
+        "INPUT_DIGEST" => "The result was not made from this file.",
+        "INPUT_MISSING" => "Give the file with --input to check it.",
+        "STORE_NOT_CHECKED" => "Give the store's root with --store to check it.",
+        "KEY_UNTRUSTED" => {
+            "Get the signer's public key from the signer, not from this folder, and name it with --trust-key."
+        }
+        "TRUST_STORE_EMPTY" => {
+            "No key is trusted here, so nobody's signature counts. Get the signer's public key from the signer, not from \
+             this folder, and name it with --trust-key."
+        }
+        "SIG_INVALID" => "The record was changed after it was signed.",
+        "SIGNER_MISMATCH" => "The record names another key than the one that signed it.",
+        "NOT_CANONICAL" => "The same words in another spelling: the file was rewritten after it was signed.",
+        "TRAIL_HASH_MISMATCH" => "The record was changed after it was sealed.",
+        "SEAL_FILE_MISMATCH" => "Verification by hand would use this file. Trust the record, not this file.",
+        "SEAL_FILE_MISSING" => "Only verification by hand needs this file.",
+        "RECORD_MISSING" => "Without its record nothing is known about a folder.",
+        "PATH_REFUSED" => "Orb publishes plain files only; links and names that leave the folder are never followed.",
+        "MARKING_INBAND_MISMATCH" => "Handle the file at the higher of both markings until its owner has looked at it.",
+        "MARKING_DOWNGRADE" => "Handle the folder at the inputs' marking until its owner has looked at it.",
+        "TIME_FUTURE" => "One of the two clocks is wrong.",
+        "TIME_UNSYNCED" => "The signer's clock was not known to agree with UTC.",
+        "TAIL_UNANCHORED" => "A signature shows who and what, not that no later record was cut off.",
+        "KEY_SHORT" => "3072 bits or more are advised.",
+        _ => "",
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    pub records: u64,
+    pub outputs_listed: u64,
+    pub outputs_verified: u64,
+    pub inputs_listed: u64,
+    pub inputs_verified: u64,
+    pub errors: u64,
+    pub warnings: u64,
+    pub notes: u64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Range {
+    pub first: u64,
+    pub last: u64,
+}
+
+/// The result of one verification. Facts of the record stand in it only when its signature is good.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Report {
+    pub schema: &'static str,
+    pub verdict: Verdict,
+    pub exit_code: u8,
+    pub ledger_id: Option<String>,
+    pub range: Option<Range>,
+    /// The last record that a checkpoint kept elsewhere covers: none yet.
+    pub anchored_through: Option<u64>,
+    pub trust_store_sha256: String,
+    pub signed_by: Option<String>,
+    pub trail_hash: Option<String>,
+    pub time: Option<String>,
+    pub counts: Counts,
+    pub findings: Vec<Finding>,
+    pub marking: Option<String>,
+}
+
+impl Report {
+    /// Orders the findings, counts them and draws the verdict. `strict` makes warnings count.
+    pub(super) fn conclude(&mut self, strict: bool) {
+        for finding in &mut self.findings {
+            finding.seq = self.range.map(|r| r.first);
+            if strict && finding.severity == Severity::Warning {
+                finding.severity = Severity::Error;
+                finding.verdict = Verdict::Fail;
+            }
+        }
+        self.findings.sort_by(|a, b| (a.code, &a.subject).cmp(&(b.code, &b.subject)));
+        self.findings.dedup();
+        let count = |severity| self.findings.iter().filter(|f| f.severity == severity).count() as u64;
+        (self.counts.errors, self.counts.warnings, self.counts.notes) =
+            (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
+        self.verdict = self.findings.iter().map(|f| f.verdict).max().unwrap_or(Verdict::Pass);
+        self.exit_code = self.verdict.exit_code();
+    }
+
+    /// One line of JSON.
+    pub fn to_json(&self) -> String {
+        // Strings, integers and lists of them always serialise.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+
+    /// For a person: banner, verdict, facts, findings, banner.
+    pub fn to_text(&self) -> String {
+        let mut out = String::new();
+        let c = &self.counts;
+        let banner = self.marking.as_deref().map(|m| format!("{m}\n")).unwrap_or_default();
+        out.push_str(&banner);
+        let sentence = match self.verdict {
+            Verdict::Pass => format!(
+                "PASS: the signature is good and {} of {} outputs are what was sealed",
+                c.outputs_verified, c.outputs_listed
+            ),
+            Verdict::Incomplete => "INCOMPLETE: something needed for a verdict is missing".to_owned(),
+            Verdict::Refused => "REFUSED: policy does not accept this record".to_owned(),
+            Verdict::Fail => {
+                format!(
+                    "FAIL: {} {} what the record says",
+                    c.errors,
+                    if c.errors == 1 { "thing is not" } else { "things are not" }
+                )
+            }
+        };
+        let _ = writeln!(out, "{sentence}. Evidence only, not an authorisation.");
+        for (name, value) in [
+            ("signed by", &self.signed_by),
+            ("trail hash", &self.trail_hash),
+            ("time", &self.time),
+            ("ledger", &self.ledger_id),
+        ] {
+            if let Some(value) = value {
+                let _ = writeln!(out, "  {name:<12}{value}");
+            }
+        }
+        if let Some(range) = self.range {
+            let _ = writeln!(out, "  {:<12}{}, tail unanchored", "record", range.first);
+        }
+        let _ = writeln!(out, "  {:<12}{}", "trust store", self.trust_store_sha256);
+        for severity in [Severity::Error, Severity::Warning, Severity::Note] {
+            for finding in self.findings.iter().filter(|f| f.severity == severity) {
+                let _ = write!(out, "{finding}");
+            }
+        }
+        out.push_str(&banner);
+        out
+    }
+}
+
+impl std::fmt::Display for Finding {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let severity = match self.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        };
+        writeln!(f, "{severity} {}: {}", self.code, self.subject)?;
+        for (name, value) in [("expected", &self.expected), ("found", &self.actual)] {
+            if !value.is_empty() {
+                writeln!(f, "    {name:<9}{value}")?;
+            }
+        }
+        if self.hint.is_empty() { Ok(()) } else { writeln!(f, "    {}", self.hint) }
+    }
+}

@@ -1,0 +1,338 @@
+//! The record's fields as they stand in the file: an in-toto Statement v1 with Orb's own predicate.
+//!
+//! Unknown fields are refused: what is not understood cannot be vouched for. What is absent is left out, never null.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::canonical::{self, Fault, Json};
+use super::marking::Marking;
+use super::time;
+use super::time::{Source, SyncStatus};
+
+/// in-toto Attestation Framework, Statement v1.
+pub const STATEMENT_TYPE: &str = "https://in-toto.io/Statement/v1";
+/// A name, not an address: `.invalid` belongs to nobody (RFC 2606), and nothing is ever fetched.
+pub const PREDICATE_TYPE: &str = "https://orb.invalid/orb/audit-record/v1";
+pub const SCHEMA: &str = "orb.audit/v1";
+/// `chain.prev` of a ledger's first record.
+pub const GENESIS: &str = "0000000000000000000000000000000000000000000000000000000000000000";
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Statement {
+    #[serde(rename = "_type")]
+    pub statement_type: String,
+    pub subject: Vec<Subject>,
+    #[serde(rename = "predicateType")]
+    pub predicate_type: String,
+    pub predicate: Predicate,
+}
+
+/// One output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Subject {
+    /// Relative to the folder of the record, `/` between the parts; after `store:` relative to the root of a store
+    /// that the run merged into.
+    pub name: String,
+    pub digest: Digests,
+    pub annotations: Annotations,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Digests {
+    pub sha256: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha384: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Annotations {
+    pub media_type: String,
+    pub role: String,
+    /// Bytes, as decimal digits.
+    pub size: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Predicate {
+    pub schema: String,
+    pub schema_minor: u32,
+    pub event: Event,
+    pub chain: Chain,
+    pub time: Time,
+    #[serde(rename = "where")]
+    pub place: Place,
+    pub actor: Actor,
+    pub source: EventSource,
+    pub inputs: Vec<Input>,
+    pub models: Vec<Model>,
+    pub params: BTreeMap<String, Param>,
+    pub tool: Tool,
+    pub crypto: Crypto,
+    pub marking: MarkingBlock,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notes: Option<String>,
+    /// SHA-256 of the canonical statement without this field.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub trail_hash: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Event {
+    /// UUID version 7 (RFC 9562 §5.7).
+    pub id: String,
+    #[serde(rename = "type")]
+    pub kind: String,
+    pub outcome: Outcome,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error_code: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    Success,
+    Failure,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Chain {
+    /// Sixteen hexadecimal digits, made from the first record's event and key.
+    pub ledger_id: String,
+    pub seq: u64,
+    /// The predecessor's trail hash.
+    pub prev: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    pub utc: String,
+    pub source: Source,
+    pub sync_status: SyncStatus,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub offset_us: Option<i64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_error_us: Option<i64>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    pub os: String,
+    pub arch: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hostname: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Actor {
+    pub operator_id: String,
+    /// Who vouches for `operator_id`: `os-user` is the name that the operating system gave, no more.
+    pub auth: String,
+    pub key_fingerprint: String,
+    pub algorithm: String,
+    pub key_source: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EventSource {
+    pub command: String,
+    pub interface: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub argv_redacted: Option<Vec<String>>,
+}
+
+/// Something that the run read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Input {
+    pub name: String,
+    pub sha256: String,
+    pub size: u64,
+    pub media_type: String,
+    pub role: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub marking: Option<String>,
+}
+
+/// A network or an algorithm of the run, pinned by its weights; a stage that did not run says `not-used` and nothing
+/// else.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Model {
+    pub id: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub status: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weights_sha256: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weights_size: Option<u64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub licence: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub runtime: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pin_source: Option<String>,
+}
+
+/// A parameter; fractions are written as decimal text, so that they have one spelling.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Param {
+    Bool(bool),
+    Int(i64),
+    Text(String),
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tool {
+    pub name: String,
+    pub version: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub git_commit: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub target: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rustc: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub features: Option<Vec<String>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub binary_sha256: Option<String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Crypto {
+    pub provider: String,
+    pub provider_version: String,
+    pub fips_mode: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MarkingBlock {
+    pub profile: String,
+    pub banner: String,
+    pub ism: Ism,
+    /// The join of the inputs' markings, where any of them is marked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inputs_join: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub raised_reason: Option<String>,
+}
+
+/// Attribute names of the IC-ISM vocabulary; not a conformant ISM.XML document.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ism {
+    pub classification: String,
+}
+
+impl Statement {
+    /// Reads a payload: the strict form, the typed form, then the values.
+    ///
+    /// The second value is false when the bytes are not the canonical spelling.
+    ///
+    /// # Errors
+    /// A [`Fault`] naming the first thing that is wrong.
+    pub fn parse(payload: &[u8]) -> Result<(Statement, bool), Fault> {
+        let json = canonical::parse(payload)?;
+        let statement: Statement = serde_json::from_slice(payload).map_err(|error| Fault::Schema(error.to_string()))?;
+        statement.check_values().map_err(Fault::Schema)?;
+        Ok((statement, canonical::is_canonical(&json, payload)))
+    }
+
+    /// The bytes that are signed.
+    ///
+    /// # Errors
+    /// A [`Fault`] when a value cannot stand in a record.
+    pub fn to_payload(&self) -> Result<Vec<u8>, Fault> {
+        canonical::to_vec(self)
+    }
+
+    /// SHA-256 of the canonical statement without `predicate.trail_hash`, hexadecimal.
+    ///
+    /// # Errors
+    /// As [`Statement::to_payload`].
+    pub fn trail_hash(&self) -> Result<String, Fault> {
+        let mut bare = self.clone();
+        bare.predicate.trail_hash = None;
+        Ok(canonical::sha256_hex(&bare.to_payload()?))
+    }
+
+    /// The marking of the product.
+    pub fn marking(&self) -> Option<Marking> {
+        Marking::parse(&self.predicate.marking.banner).ok()
+    }
+
+    fn check_values(&self) -> Result<(), String> {
+        let p = &self.predicate;
+        same("_type", STATEMENT_TYPE, &self.statement_type)?;
+        same("predicateType", PREDICATE_TYPE, &self.predicate_type)?;
+        same("schema", SCHEMA, &p.schema)?;
+        for subject in &self.subject {
+            hex("subject.digest.sha256", &subject.digest.sha256, 64)?;
+            if subject.annotations.size.parse::<u64>().ok().map(|n| n.to_string()).as_ref()
+                != Some(&subject.annotations.size)
+            {
+                return Err(format!("subject {:?}: size {:?}", subject.name, subject.annotations.size));
+            }
+        }
+        let mut names: Vec<&str> = self.subject.iter().map(|s| s.name.as_str()).collect();
+        names.sort_unstable();
+        if let Some(pair) = names.windows(2).find(|w| w[0] == w[1]) {
+            return Err(format!("subject {:?} stands twice", pair[0]));
+        }
+        hex("chain.ledger_id", &p.chain.ledger_id, 16)?;
+        hex("chain.prev", &p.chain.prev, 64)?;
+        hex("trail_hash", p.trail_hash.as_deref().unwrap_or_default(), 64)?;
+        hex("actor.key_fingerprint", &p.actor.key_fingerprint, 64)?;
+        if time::parse_utc(&p.time.utc).is_none() {
+            return Err(format!("time.utc {:?}: expected YYYY-MM-DDTHH:MM:SS.mmmZ", p.time.utc));
+        }
+        for input in &p.inputs {
+            hex("inputs.sha256", &input.sha256, 64)?;
+        }
+        for sha256 in p.models.iter().filter_map(|m| m.weights_sha256.as_deref()) {
+            hex("models.weights_sha256", sha256, 64)?;
+        }
+        if p.notes.as_ref().is_some_and(|n| n.len() > 1024) {
+            return Err("notes: at most 1024 bytes".into());
+        }
+        Ok(())
+    }
+
+    /// The value tree, for showing.
+    ///
+    /// # Errors
+    /// As [`Statement::to_payload`].
+    pub fn to_json(&self) -> Result<Json, Fault> {
+        canonical::parse(&self.to_payload()?)
+    }
+}
+
+fn same(field: &str, expected: &str, found: &str) -> Result<(), String> {
+    if found == expected { Ok(()) } else { Err(format!("{field}: expected {expected:?}, found {found:?}")) }
+}
+
+fn hex(field: &str, text: &str, digits: usize) -> Result<(), String> {
+    if text.len() == digits && text.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b)) {
+        Ok(())
+    } else {
+        Err(format!("{field}: expected {digits} lower-case hexadecimal digits, found {text:?}"))
+    }
+}

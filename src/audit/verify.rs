@@ -1,0 +1,442 @@
+//! Checks a published folder against its record, offline, and collects everything that it finds.
+//!
+//! The record's bytes are believed only after a trusted key has verified them. When none has, they still serve to
+//! locate what was changed, but none of their words are reported as facts.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::canonical::Fault;
+use super::disk::{self};
+use super::dsse::{Envelope, MAX_ENVELOPE_BYTES, PAYLOAD_TYPE};
+use super::inband;
+use super::keys::{ADVISED_BITS, ALGORITHM, PublicKey};
+use super::marking::Marking;
+use super::pem;
+use super::publication::{RECORD, RECORD_KEY, RECORD_PAE, RECORD_SIG, SEAL_FILES, STORE_PREFIX};
+use super::record;
+use super::report::{Counts, Finding, Range, Report, SCHEMA, Verdict};
+use super::statement::{GENESIS, Statement, Subject};
+use super::time::{self, SyncStatus};
+use super::trust::TrustStore;
+use crate::{Error, Result};
+
+/// How far a record's time may lie ahead of this machine's clock, milliseconds.
+const FUTURE_SKEW_MS: u64 = 5 * 60 * 1000;
+/// Files beyond this size are hashed, but not searched for a marking.
+const MAX_INBAND_BYTES: u64 = 1 << 30;
+
+/// What to verify, and against what.
+#[derive(Debug)]
+pub struct Request<'a> {
+    pub folder: &'a Path,
+    pub trust: &'a TrustStore,
+    /// Files that the run is said to have read.
+    pub inputs: &'a [PathBuf],
+    /// The root of the store that the run merged into.
+    pub store: Option<&'a Path>,
+    /// This machine's time, milliseconds since 1970.
+    pub now_ms: u64,
+    /// Warnings count as errors.
+    pub strict: bool,
+}
+
+/// Verifies a published folder.
+///
+/// # Errors
+/// [`crate::Kind::Usage`] when `folder` is no folder, [`crate::Kind::Environment`] when something in it cannot be
+/// read. Everything else is a finding.
+pub fn verify(request: &Request<'_>) -> Result<Report> {
+    let metadata = fs::metadata(request.folder).map_err(|e| Error::io(request.folder, &e))?;
+    if !metadata.is_dir() {
+        return Err(Error::usage(request.folder.display().to_string()).expected("a published folder").found("a file"));
+    }
+    let mut found = Vec::new();
+    let mut report = Report {
+        schema: SCHEMA,
+        verdict: Verdict::Pass,
+        exit_code: 0,
+        ledger_id: None,
+        range: None,
+        anchored_through: None,
+        trust_store_sha256: request.trust.sha256(),
+        signed_by: None,
+        trail_hash: None,
+        time: None,
+        counts: Counts::default(),
+        findings: Vec::new(),
+        marking: None,
+    };
+    if let Some(envelope) = read_envelope(request.folder, &mut found)? {
+        let signer = check_signatures(&envelope, request.trust, &mut found);
+        check_seal_files(request.folder, &envelope, &mut found)?;
+        if let Some(statement) = read_statement(&envelope, &mut found) {
+            check_fields(&statement, signer, request.now_ms, &mut found);
+            report.counts = check_files(request, &statement, &mut found)?;
+            report.counts.records = 1;
+            if let Some(signer) = signer {
+                let p = &statement.predicate;
+                report.ledger_id = Some(p.chain.ledger_id.clone());
+                report.range = Some(Range { first: p.chain.seq, last: p.chain.seq });
+                report.signed_by = Some(signer.fingerprint().to_owned());
+                report.trail_hash.clone_from(&p.trail_hash);
+                report.time = Some(p.time.utc.clone());
+                report.marking = Some(p.marking.banner.clone());
+            }
+        }
+    }
+    report.findings = found;
+    report.conclude(request.strict);
+    Ok(report)
+}
+
+/// Reads a folder's record for showing, without a judgement.
+///
+/// # Errors
+/// [`crate::Kind::Incomplete`] without a record, [`crate::Kind::Integrity`] when it is not one.
+pub fn read_record(folder: &Path) -> Result<(Envelope, Statement)> {
+    let path = folder.join(RECORD);
+    if !path.is_file() {
+        return Err(Error::incomplete(path.display().to_string())
+            .expected("the record of a published folder")
+            .found("RECORD_MISSING: nothing")
+            .advice("Name the folder that Orb published, not one above or below it."));
+    }
+    let bytes = disk::read_limited(&path, MAX_ENVELOPE_BYTES as u64)?;
+    let not_a_record = |f: Fault| {
+        Error::integrity(path.display().to_string()).expected("a record").found(format!("{}: {}", f.code(), f.detail()))
+    };
+    let envelope = Envelope::parse(&bytes).map_err(not_a_record)?;
+    let (statement, _) = Statement::parse(&envelope.payload).map_err(not_a_record)?;
+    Ok((envelope, statement))
+}
+
+fn read_envelope(folder: &Path, found: &mut Vec<Finding>) -> Result<Option<Envelope>> {
+    let path = folder.join(RECORD);
+    match fs::symlink_metadata(&path) {
+        Err(_) => {
+            found.push(Finding::new("RECORD_MISSING", RECORD));
+            return Ok(None);
+        }
+        Ok(metadata) if !metadata.is_file() => {
+            found.push(Finding::new("PATH_REFUSED", RECORD).expected("a plain file"));
+            return Ok(None);
+        }
+        Ok(metadata) if metadata.len() > MAX_ENVELOPE_BYTES as u64 => {
+            found.push(
+                Finding::new("LIMIT_EXCEEDED", RECORD)
+                    .expected(format!("at most {MAX_ENVELOPE_BYTES} bytes"))
+                    .actual(format!("{} bytes", metadata.len())),
+            );
+            return Ok(None);
+        }
+        Ok(_) => {}
+    }
+    let bytes = disk::read_limited(&path, MAX_ENVELOPE_BYTES as u64)?;
+    let envelope = match Envelope::parse(&bytes) {
+        Ok(envelope) => envelope,
+        Err(fault) => {
+            found.push(Finding::new(fault.code(), RECORD).expected("a DSSE envelope").actual(fault.detail()));
+            return Ok(None);
+        }
+    };
+    if envelope.to_line() != bytes {
+        found.push(Finding::new("NOT_CANONICAL", RECORD).expected("the one spelling of this envelope"));
+    }
+    if envelope.payload_type != PAYLOAD_TYPE {
+        found.push(Finding::new("TYPE_UNSUPPORTED", RECORD).expected(PAYLOAD_TYPE).actual(&envelope.payload_type));
+    }
+    Ok(Some(envelope))
+}
+
+/// The key that verified; every signature must be good.
+fn check_signatures<'a>(envelope: &Envelope, trust: &'a TrustStore, found: &mut Vec<Finding>) -> Option<&'a PublicKey> {
+    let message = envelope.pae();
+    let mut signer = None;
+    let mut all_good = true;
+    for signature in &envelope.signatures {
+        let Some(key) = trust.get(&signature.keyid) else {
+            let code = if trust.is_empty() { "TRUST_STORE_EMPTY" } else { "KEY_UNTRUSTED" };
+            found.push(
+                Finding::new(code, RECORD)
+                    .expected("a signature by a trusted key")
+                    .actual(record::printable(&signature.keyid)),
+            );
+            all_good = false;
+            continue;
+        };
+        match key.verify(&message, &signature.sig) {
+            Ok(true) => signer = Some(key),
+            Ok(false) => {
+                found.push(
+                    Finding::new("SIG_INVALID", RECORD).expected(format!("a signature by {}", key.fingerprint())),
+                );
+                all_good = false;
+            }
+            Err(disagreement) => {
+                found.push(
+                    Finding::new("SIG_INVALID", RECORD).expected("two implementations that agree").actual(disagreement),
+                );
+                all_good = false;
+            }
+        }
+    }
+    signer.filter(|_| all_good)
+}
+
+fn read_statement(envelope: &Envelope, found: &mut Vec<Finding>) -> Option<Statement> {
+    match Statement::parse(&envelope.payload) {
+        Ok((statement, canonical)) => {
+            if !canonical {
+                found.push(Finding::new("NOT_CANONICAL", RECORD).expected("the one spelling of this record"));
+            }
+            Some(statement)
+        }
+        Err(fault) => {
+            found.push(Finding::new(fault.code(), RECORD).expected("a record of version 1").actual(fault.detail()));
+            None
+        }
+    }
+}
+
+/// The files for verification by hand must say the same as the record.
+fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>) -> Result<()> {
+    let keyids: Vec<&str> = envelope.signatures.iter().map(|s| s.keyid.as_str()).collect();
+    let same_key = |bytes: &[u8]| {
+        let text = std::str::from_utf8(bytes).unwrap_or_default();
+        PublicKey::from_pem(text).is_ok_and(|key| key.to_pem() == text && keyids.contains(&key.fingerprint()))
+    };
+    for name in [RECORD_PAE, RECORD_SIG, RECORD_KEY] {
+        let path = folder.join(name);
+        match fs::symlink_metadata(&path) {
+            Err(_) => {
+                found.push(Finding::new("SEAL_FILE_MISSING", name));
+                continue;
+            }
+            // The walk over the folder reports it.
+            Ok(metadata) if !metadata.is_file() => continue,
+            Ok(_) => {}
+        }
+        let limit = if name == RECORD_KEY { pem::MAX_BYTES } else { MAX_ENVELOPE_BYTES as u64 };
+        let size = fs::metadata(&path).map_err(|e| Error::io(&path, &e))?.len();
+        let same = size <= limit && {
+            let bytes = disk::read_limited(&path, limit)?;
+            match name {
+                RECORD_PAE => bytes == envelope.pae(),
+                RECORD_SIG => envelope.signatures.first().is_some_and(|s| s.sig == bytes),
+                _ => same_key(&bytes),
+            }
+        };
+        if !same {
+            found.push(Finding::new("SEAL_FILE_MISMATCH", name).expected(format!("the same as in {RECORD}")));
+        }
+    }
+    Ok(())
+}
+
+fn check_fields(statement: &Statement, signer: Option<&PublicKey>, now_ms: u64, found: &mut Vec<Finding>) {
+    let p = &statement.predicate;
+    let trail_hash = statement.trail_hash().unwrap_or_default();
+    if p.trail_hash.as_deref() != Some(trail_hash.as_str()) {
+        let stated = p.trail_hash.clone().unwrap_or_default();
+        found.push(Finding::new("TRAIL_HASH_MISMATCH", RECORD).expected(trail_hash).actual(stated));
+    }
+    if p.actor.algorithm != ALGORITHM {
+        found.push(Finding::new("ALG_REFUSED", "actor.algorithm").expected(ALGORITHM).actual(&p.actor.algorithm));
+    }
+    if let Some(signer) = signer {
+        if p.actor.key_fingerprint != signer.fingerprint() {
+            found.push(
+                Finding::new("SIGNER_MISMATCH", "actor.key_fingerprint")
+                    .expected(signer.fingerprint())
+                    .actual(&p.actor.key_fingerprint),
+            );
+        }
+        if signer.bits() < ADVISED_BITS {
+            found.push(Finding::new("KEY_SHORT", "signing key").actual(format!("{} bits", signer.bits())));
+        }
+        found.push(Finding::new("TAIL_UNANCHORED", RECORD));
+    }
+    if (p.chain.seq == 0) != (p.chain.prev == GENESIS) {
+        found.push(Finding::new("CHAIN_BROKEN", "chain.prev").actual(format!("{} at {}", p.chain.prev, p.chain.seq)));
+    }
+    if p.chain.seq == 0 {
+        let expected = record::ledger_id(&p.event.id, &p.actor.key_fingerprint);
+        if p.chain.ledger_id != expected {
+            found.push(Finding::new("LEDGER_ID", "chain.ledger_id").expected(expected).actual(&p.chain.ledger_id));
+        }
+    }
+    if time::parse_utc(&p.time.utc).is_none_or(|t| t > now_ms.saturating_add(FUTURE_SKEW_MS)) {
+        found.push(
+            Finding::new("TIME_FUTURE", "time.utc")
+                .expected(format!("not after {}", time::format_utc(now_ms)))
+                .actual(&p.time.utc),
+        );
+    }
+    if p.time.sync_status != SyncStatus::Synchronised {
+        found.push(Finding::new("TIME_UNSYNCED", "time.sync_status").actual(match p.time.sync_status {
+            SyncStatus::Unsynchronised => "unsynchronised",
+            _ => "unknown",
+        }));
+    }
+    check_marking(statement, found);
+}
+
+fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
+    let block = &statement.predicate.marking;
+    let unsupported = |field: &str, text: &str| Finding::new("MARKING_UNSUPPORTED", field).actual(text);
+    let Ok(marking) = Marking::parse(&block.banner) else {
+        found.push(unsupported("marking.banner", &block.banner));
+        return;
+    };
+    if block.ism.classification != marking.ism_classification() {
+        found.push(
+            Finding::new("MARKING_INBAND_MISMATCH", "marking.ism.classification")
+                .expected(marking.ism_classification())
+                .actual(&block.ism.classification),
+        );
+    }
+    let sources =
+        statement.predicate.inputs.iter().filter_map(|i| i.marking.as_deref()).chain(block.inputs_join.as_deref());
+    for text in sources {
+        match Marking::parse(text) {
+            Err(_) => found.push(unsupported("inputs.marking", text)),
+            Ok(level) if level > marking => found.push(
+                Finding::new("MARKING_DOWNGRADE", "marking.banner").expected(level.banner()).actual(marking.banner()),
+            ),
+            Ok(_) => {}
+        }
+    }
+}
+
+fn check_files(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<Counts> {
+    let marking = statement.marking();
+    let mut counts = Counts {
+        outputs_listed: statement.subject.len() as u64,
+        inputs_listed: statement.predicate.inputs.len() as u64,
+        ..Counts::default()
+    };
+    let mut store_unchecked = 0u64;
+    for subject in &statement.subject {
+        let (root, name) = match subject.name.strip_prefix(STORE_PREFIX) {
+            None => (request.folder, subject.name.as_str()),
+            Some(name) => match request.store {
+                Some(store) => (store, name),
+                None => {
+                    store_unchecked += 1;
+                    continue;
+                }
+            },
+        };
+        let before = found.len();
+        check_output(root, name, subject, marking, found)?;
+        counts.outputs_verified += u64::from(found.len() == before);
+    }
+    if store_unchecked > 0 {
+        found.push(Finding::new("STORE_NOT_CHECKED", "store").actual(format!("{store_unchecked} files not checked")));
+    }
+    check_extras(request.folder, statement, found)?;
+    counts.inputs_verified = check_inputs(request.inputs, statement, found)?;
+    Ok(counts)
+}
+
+fn check_output(
+    root: &Path,
+    name: &str,
+    subject: &Subject,
+    marking: Option<Marking>,
+    found: &mut Vec<Finding>,
+) -> Result<()> {
+    if let Err(why) = disk::check_name(name) {
+        found.push(Finding::new("PATH_REFUSED", record::printable(&subject.name)).actual(why));
+        return Ok(());
+    }
+    // Every folder on the way, so that no link is followed.
+    for (end, _) in name.match_indices('/') {
+        if fs::symlink_metadata(root.join(&name[..end])).is_ok_and(|m| !m.is_dir()) {
+            found.push(Finding::new("PATH_REFUSED", &subject.name).expected("folders and a plain file"));
+            return Ok(());
+        }
+    }
+    let path = root.join(name);
+    let size = match fs::symlink_metadata(&path) {
+        Err(_) => {
+            found.push(Finding::new("OUTPUT_MISSING", &subject.name).expected(&subject.digest.sha256));
+            return Ok(());
+        }
+        Ok(metadata) if !metadata.is_file() => {
+            found.push(Finding::new("PATH_REFUSED", &subject.name).expected("a plain file"));
+            return Ok(());
+        }
+        Ok(metadata) => metadata.len(),
+    };
+    if size.to_string() != subject.annotations.size {
+        found.push(
+            Finding::new("OUTPUT_DIGEST", &subject.name)
+                .expected(format!("{} bytes", subject.annotations.size))
+                .actual(format!("{size} bytes")),
+        );
+    } else {
+        let (_, sha256) = disk::hash_file(&path).map_err(|e| Error::io(&path, &e))?;
+        if sha256 != subject.digest.sha256 {
+            found.push(Finding::new("OUTPUT_DIGEST", &subject.name).expected(&subject.digest.sha256).actual(sha256));
+        }
+    }
+    if let Some(marking) = marking
+        && inband::has_carrier(name)
+        && size <= MAX_INBAND_BYTES
+    {
+        let bytes = disk::read_limited(&path, MAX_INBAND_BYTES)?;
+        let shared = subject.name.starts_with(STORE_PREFIX);
+        let compare = if shared { inband::mismatch_in_store } else { inband::mismatch };
+        if let Some(actual) = compare(name, &bytes, marking) {
+            found.push(Finding::new("MARKING_INBAND_MISMATCH", &subject.name).expected(marking.line()).actual(actual));
+        }
+    }
+    Ok(())
+}
+
+/// Files that the record does not list.
+fn check_extras(folder: &Path, statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+    let listed: BTreeSet<&str> = statement.subject.iter().map(|s| s.name.as_str()).chain(SEAL_FILES).collect();
+    for entry in disk::walk(folder)? {
+        if entry.is_dir {
+            continue;
+        }
+        if !entry.is_file {
+            found.push(Finding::new("PATH_REFUSED", record::printable(&entry.name)).expected("a plain file"));
+        } else if !listed.contains(entry.name.as_str()) {
+            found.push(Finding::new("OUTPUT_EXTRA", record::printable(&entry.name)));
+        }
+    }
+    Ok(())
+}
+
+/// How many of the record's inputs are among the files given.
+fn check_inputs(files: &[PathBuf], statement: &Statement, found: &mut Vec<Finding>) -> Result<u64> {
+    let inputs = &statement.predicate.inputs;
+    let mut by_hash: BTreeMap<&str, bool> = inputs.iter().map(|i| (i.sha256.as_str(), false)).collect();
+    for path in files {
+        let (_, sha256) = disk::hash_file(path).map_err(|e| Error::io(path, &e))?;
+        match by_hash.get_mut(sha256.as_str()) {
+            Some(seen) => *seen = true,
+            None => {
+                let expected: Vec<String> = inputs.iter().map(|i| format!("{} {}", i.sha256, i.name)).collect();
+                found.push(
+                    Finding::new("INPUT_DIGEST", path.display().to_string())
+                        .expected(expected.join(", "))
+                        .actual(sha256),
+                );
+            }
+        }
+    }
+    let checked = |sha256: &str| by_hash.get(sha256).copied().unwrap_or(false);
+    for input in inputs.iter().filter(|i| !checked(&i.sha256)) {
+        found.push(Finding::new("INPUT_MISSING", &input.name).expected(&input.sha256).actual("not checked"));
+    }
+    Ok(inputs.iter().filter(|i| checked(&i.sha256)).count() as u64)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,208 @@
+//! `orb audit`: verify a published folder, show its record, make a key.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use crate::audit::by_hand;
+use crate::audit::keys;
+use crate::audit::report::Verdict;
+use crate::audit::verify::{self, Request};
+use crate::audit::{DataFolder, TrustStore, time};
+use crate::{Error, Result};
+
+#[derive(Debug, Args)]
+pub struct AuditArgs {
+    #[command(subcommand)]
+    pub verb: AuditVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum AuditVerb {
+    /// Check a published folder against its record, offline
+    Verify(VerifyArgs),
+    /// Print the record of a published folder
+    Show(ShowArgs),
+    /// Make a signing key: FILE (private, mode 0600) and FILE.pub.pem
+    Keygen(KeygenArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct VerifyArgs {
+    /// The folder that Orb published
+    pub folder: PathBuf,
+    /// Also check that the result was made from this file (may be given several times)
+    #[arg(long, value_name = "FILE")]
+    pub input: Vec<PathBuf>,
+    /// Also check the files merged into this CDB store
+    #[arg(long, value_name = "FOLDER")]
+    pub store: Option<PathBuf>,
+    /// Trust this public key (PEM) for this run, beside those of the user's trust store
+    #[arg(long, value_name = "FILE")]
+    pub trust_key: Vec<PathBuf>,
+    /// Let warnings, such as unlisted files, fail the verification
+    #[arg(long)]
+    pub strict: bool,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Print the openssl and sha256sum commands that repeat the checks without Orb, and check nothing
+    #[arg(long)]
+    pub print_openssl: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ShowArgs {
+    /// The folder that Orb published
+    pub folder: PathBuf,
+    /// Trust this public key (PEM) for this run, beside those of the user's trust store
+    #[arg(long, value_name = "FILE")]
+    pub trust_key: Vec<PathBuf>,
+    /// Print the record alone, as the JSON that was signed
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct KeygenArgs {
+    /// The private key's file; it must not exist
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+}
+
+/// What a verb prints on standard output, and how it ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    pub text: String,
+    pub exit_code: u8,
+}
+
+/// Runs a verb.
+///
+/// # Errors
+/// Where no report could be made; a report with findings is an [`Outcome`] with its exit code.
+pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
+    match &args.verb {
+        AuditVerb::Verify(args) => verify(args, data),
+        AuditVerb::Show(args) => show(args, data),
+        AuditVerb::Keygen(args) => keygen(args),
+    }
+}
+
+pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
+    if args.print_openssl {
+        return Ok(Outcome { text: by_hand::openssl_commands(&args.folder)?, exit_code: 0 });
+    }
+    let trust = TrustStore::load(data, &args.trust_key)?;
+    let report = verify::verify(&Request {
+        folder: &args.folder,
+        trust: &trust,
+        inputs: &args.input,
+        store: args.store.as_deref(),
+        now_ms: time::now()?.unix_ms,
+        strict: args.strict,
+    })?;
+    let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
+    Ok(Outcome { text, exit_code: report.exit_code })
+}
+
+/// The record, and whether it can be believed. The exit code is the verification's: what is shown may be forged.
+pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
+    let (_, statement) = verify::read_record(&args.folder)?;
+    let json = statement
+        .to_json()
+        .map_err(|f| Error::integrity(args.folder.display().to_string()).found(f.detail().to_owned()))?;
+    let trust = TrustStore::load(data, &args.trust_key)?;
+    let report = verify::verify(&Request {
+        folder: &args.folder,
+        trust: &trust,
+        inputs: &[],
+        store: None,
+        now_ms: time::now()?.unix_ms,
+        strict: false,
+    })?;
+    let unserialisable = |e: serde_json::Error| Error::integrity("record").found(e.to_string());
+    let text = if args.json {
+        format!("{}\n", serde_json::to_string(&json).map_err(unserialisable)?)
+    } else {
+        let banner = &statement.predicate.marking.banner;
+        let trusted = match report.verdict {
+            Verdict::Pass => "Verified: signed by a trusted key, and every output is what was sealed.",
+            _ => "NOT VERIFIED: what follows is what the file says. See `orb audit verify`.",
+        };
+        let body = serde_json::to_string_pretty(&json).map_err(unserialisable)?;
+        format!("{banner}\n{trusted}\n{body}\n{banner}\n")
+    };
+    Ok(Outcome { text, exit_code: report.exit_code })
+}
+
+pub fn keygen(args: &KeygenArgs) -> Result<Outcome> {
+    let key = keys::keygen(&args.output)?;
+    let text = format!(
+        "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
+        args.output.display(),
+        key.public().bits(),
+        keys::ALGORITHM,
+        key.public().fingerprint()
+    );
+    Ok(Outcome { text, exit_code: 0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use clap::Parser;
+
+    use super::*;
+    use crate::Kind;
+    use crate::audit::publication::tests::publish;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        audit: AuditArgs,
+    }
+
+    fn orb_audit(data: &DataFolder, words: &[&str]) -> Result<Outcome> {
+        let line = Line::try_parse_from([&["audit"], words].concat()).unwrap();
+        run(&line.audit, data)
+    }
+
+    #[test]
+    fn make_a_key_verify_and_show() {
+        let dir = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(dir.path().join("elsewhere"));
+        let published = publish(dir.path());
+        let out = published.folder.to_str().unwrap();
+        let key = dir.path().join("signer.pem");
+        fs::copy(published.folder.join("orb-record.pub.pem"), &key).unwrap();
+        let key = key.to_str().unwrap();
+
+        // The test's record is dated; no machine's clock stands before it.
+        let stranger = orb_audit(&data, &["verify", out]).unwrap();
+        assert_eq!(stranger.exit_code, 3);
+        assert!(stranger.text.contains("TRUST_STORE_EMPTY"));
+        assert!(!data.path().exists());
+        let shown = orb_audit(&data, &["show", out]).unwrap();
+        assert!(shown.text.contains("NOT VERIFIED") && shown.exit_code == 3);
+
+        let report = orb_audit(&data, &["verify", out, "--trust-key", key, "--json"]).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&report.text).unwrap();
+        assert_eq!(value["signed_by"], published.signed_by.as_str());
+        assert_eq!(value["exit_code"], report.exit_code);
+
+        let json = orb_audit(&data, &["show", out, "--trust-key", key, "--json"]).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&json.text).unwrap();
+        assert_eq!(value["predicate"]["trail_hash"], published.trail_hash.as_str());
+
+        let by_hand = orb_audit(&data, &["verify", out, "--print-openssl"]).unwrap();
+        assert!(by_hand.text.contains("openssl dgst -sha256 -verify"));
+
+        let new = dir.path().join("unit.pem");
+        let made = orb_audit(&data, &["keygen", "-o", new.to_str().unwrap()]).unwrap();
+        assert!(made.text.contains("RSA-3072") && new.exists() && dir.path().join("unit.pub.pem").exists());
+        let again = orb_audit(&data, &["keygen", "-o", new.to_str().unwrap()]).unwrap_err();
+        assert_eq!(again.kind, Kind::Usage);
+    }
+}

@@ -1,0 +1,509 @@
+//! `orb geo`: one photo becomes a placed, marked, sealed model.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+use orb_formats::cdb;
+
+use super::bar::Bar;
+use super::summary::{self, Summary};
+use crate::audit::data_folder::DataFolder;
+use crate::audit::keys;
+use crate::audit::ledger::Ledger;
+use crate::audit::marking::Marking;
+use crate::audit::publication::{Destination, Publication};
+use crate::audit::record::{self, RecordDraft};
+use crate::audit::statement::{Param, Tool};
+use crate::audit::store_merge::{StoreLock, lock_store, merge_into_store};
+use crate::audit::time;
+use crate::export::{self, Labels, ToMetres};
+use crate::geo::{Extents, HeadingSource, Known, Placement, Scale, View, metres_per_unit, parse_origin};
+use crate::models::{Engine, Rten, prior};
+use crate::photo::{self, Photo};
+use crate::pipeline::{self, Reconstruction, Settings};
+use crate::progress::Progress;
+use crate::{Error, Result};
+
+/// What to publish beside `scene.ply`, `preview.png` and the record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Format {
+    /// OGC CDB store.
+    Cdb,
+    /// OpenFlight 16.0, all levels in one file.
+    Flt,
+    /// Gaussians, always written.
+    Ply,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Quality {
+    /// A look at the result in half the time.
+    Draft,
+    Standard,
+    /// As long as it takes.
+    High,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Device {
+    Auto,
+    Cpu,
+}
+
+#[derive(Args, Clone, Debug)]
+pub struct GeoArgs {
+    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
+    pub photo: PathBuf,
+
+    /// The ground point under the subject: latitude and longitude in degrees, height in metres above the WGS84 ellipsoid.
+    #[arg(long, value_name = "LAT,LON,ALT", allow_hyphen_values = true)]
+    pub origin: String,
+
+    /// Formats to publish, separated by commas.
+    #[arg(long, value_delimiter = ',', value_enum, default_value = "cdb")]
+    pub format: Vec<Format>,
+
+    /// Folder to publish; must not exist yet. Default: the photo's name without its extension.
+    #[arg(short = 'o', long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Replace a folder that Orb published earlier.
+    #[arg(long)]
+    pub replace: bool,
+
+    /// Add the model to this existing CDB store, in place of a new store in the published folder.
+    #[arg(long, value_name = "STORE")]
+    pub cdb: Option<PathBuf>,
+
+    /// Bearing in which the camera looked, degrees clockwise from true north. Default: the photo's EXIF, else 0.
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    pub heading: Option<f64>,
+
+    /// The subject's true height.
+    #[arg(long, value_name = "METRES", conflicts_with_all = ["length", "width"])]
+    pub height: Option<f64>,
+
+    /// The subject's true length: the longer side of its footprint.
+    #[arg(long, value_name = "METRES", conflicts_with = "width")]
+    pub length: Option<f64>,
+
+    /// The subject's true width: the shorter side of its footprint.
+    #[arg(long, value_name = "METRES")]
+    pub width: Option<f64>,
+
+    /// Height of the camera above the ground; gives the scale when no dimension is known.
+    #[arg(long, value_name = "METRES", default_value_t = 1.6)]
+    pub camera_height: f64,
+
+    /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
+    #[arg(long, value_name = "BANNER", default_value = "UNCLASSIFIED")]
+    pub classification: String,
+
+    /// Signing key (PKCS#8 PEM). Needed for CUI and above; below that a key is made on the first run.
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+
+    #[arg(long, value_enum, default_value = "standard")]
+    pub quality: Quality,
+
+    /// Optimisation steps, in place of what the quality and this machine's cores suggest.
+    #[arg(long, value_name = "N")]
+    pub iterations: Option<u32>,
+
+    #[arg(long, value_enum, default_value = "auto")]
+    pub device: Device,
+
+    /// Same photo, options, seed and machine: same bytes.
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+
+    /// Levels of detail, 1 to 4.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
+    pub lods: u8,
+
+    /// Feature code of the model in the store: five letters and digits, then the subcode.
+    #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
+    pub facc: String,
+
+    /// One JSON object on standard output.
+    #[arg(long)]
+    pub json: bool,
+
+    /// No progress, no summary.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What keeps a run inside its time.
+#[derive(Clone, Copy)]
+struct TimeLimits {
+    /// For the optimisation; decides the number of steps beforehand.
+    optimise: Duration,
+    /// End of the optimisation, from the start of the run: for machines that slow down on the way.
+    latest: Duration,
+}
+
+fn time_limits(quality: Quality) -> Option<TimeLimits> {
+    let limits = |optimise, latest| {
+        Some(TimeLimits { optimise: Duration::from_secs(optimise), latest: Duration::from_secs(latest) })
+    };
+    match quality {
+        Quality::Draft => limits(10, 20),
+        Quality::Standard => limits(28, 40),
+        Quality::High => None,
+    }
+}
+
+/// Optimisation steps wanted on a machine with so many threads. Where they fit the time, like machines do the same
+/// number, and two runs are alike.
+fn steps(quality: Quality, threads: usize) -> u32 {
+    let share = (threads as f64 / 2.0).clamp(0.5, 8.0);
+    match quality {
+        Quality::Draft => (250.0 * share) as u32,
+        Quality::Standard => (900.0 * share) as u32,
+        Quality::High => 7000,
+    }
+}
+
+/// Arguments that need no photo to be judged.
+struct Plan {
+    origin: crate::geo::Geodetic,
+    known: Option<Known>,
+    marking: Marking,
+    facc: String,
+    fsc: u16,
+    stem: String,
+    output: PathBuf,
+}
+
+fn plan(args: &GeoArgs) -> Result<Plan> {
+    let positive = |value: Option<f64>, name: &str| match value {
+        Some(v) if !(v.is_finite() && v > 0.0 && v < 10_000.0) => {
+            Err(Error::usage(name).expected("metres between 0 and 10,000").found(format!("{v}")))
+        }
+        other => Ok(other),
+    };
+    let height = positive(args.height, "--height")?.map(Known::Height);
+    let length = positive(args.length, "--length")?.map(Known::Length);
+    let width = positive(args.width, "--width")?.map(Known::Width);
+    positive(Some(args.camera_height), "--camera-height")?;
+    if let Some(h) = args.heading.filter(|h| !(h.is_finite() && (-360.0..=360.0).contains(h))) {
+        return Err(Error::usage("--heading").expected("degrees between -360 and 360").found(h.to_string()));
+    }
+    let (facc, fsc) = feature_code(&args.facc)?;
+    let stem = safe_stem(&args.photo);
+    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
+    Ok(Plan {
+        origin: parse_origin(&args.origin)?,
+        known: height.or(length).or(width),
+        marking: Marking::parse_for_output(&args.classification)?,
+        facc,
+        fsc,
+        stem,
+        output,
+    })
+}
+
+/// `AL015`, `AL015/004`: two capital letters, three digits, a subcode from 0 to 999.
+fn feature_code(text: &str) -> Result<(String, u16)> {
+    let (code, sub) = text.split_once('/').unwrap_or((text, "0"));
+    let good = code.len() == 5
+        && code[..].bytes().take(2).all(|b| b.is_ascii_uppercase())
+        && code.bytes().skip(2).all(|b| b.is_ascii_digit());
+    match sub.parse::<u16>() {
+        Ok(sub) if good && sub <= 999 => Ok((code.to_owned(), sub)),
+        _ => {
+            Err(Error::usage("--facc").expected("a feature code such as UA005 or AL015/016").found(format!("`{text}`")))
+        }
+    }
+}
+
+/// The photo's name without its extension: letters, digits, `_` and `-`, 24 at most, first two alphanumeric.
+fn safe_stem(photo: &Path) -> String {
+    let name = photo.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    let keep = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
+    let safe: String = name.chars().map(keep).take(24).collect();
+    let head = safe.bytes().take(2).filter(u8::is_ascii_alphanumeric).count();
+    if head == 2 { safe } else { format!("m0{safe}").chars().take(24).collect() }
+}
+
+/// Runs the verb. `stop` is set by the interrupt handler.
+pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
+    let started = Instant::now();
+    let plan = plan(args)?;
+    let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+    let key = keys::for_marking(&data, plan.marking, args.key.as_deref())?;
+    if let Some(warning) = &key.warning {
+        eprintln!("orb: warning: {warning}");
+    }
+    if key.created && !args.quiet {
+        eprintln!(
+            "orb: made a signing key in {}, fingerprint {}",
+            data.path().display(),
+            key.key.public().fingerprint()
+        );
+    }
+    let photo_limits = photo::Limits::default();
+    let bytes = read_photo(&args.photo, photo_limits.file_bytes)?;
+    let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let photo = photo::decode(&name, &bytes, &photo_limits)?;
+
+    let mut random = [0u8; 18];
+    getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
+    let nonce = u64::from_le_bytes(std::array::from_fn(|i| random[10 + i]));
+    let destination = Destination { folder: plan.output.clone(), replace: args.replace, marking: plan.marking, nonce };
+    let mut publication = Publication::begin(&destination)?;
+    let store = match &args.cdb {
+        Some(root) => Some(open_store(root)?),
+        None => None,
+    };
+
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    // Who names a number of steps gets them, however long they take.
+    let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
+    let settings = Settings {
+        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, threads)),
+        optimise_within: limits.map(|l| l.optimise),
+        deadline: limits.map(|l| started + l.latest),
+        seed: args.seed,
+        levels: args.lods.into(),
+    };
+    let bar = Bar::new(stop, args.quiet || args.json);
+    let done = pipeline::reconstruct(&photo, &Rten, &settings, &bar)?;
+    bar.begin("writing and sealing", 0);
+
+    let writing = Instant::now();
+    let reading = time::now()?;
+    let scale = scale_of(&photo, &done, &plan, args.camera_height)?;
+    let placement = place(&plan, args.heading, &photo);
+    let finest = done.model.levels.first().ok_or_else(|| Error::usage(&name).found("no surface"))?;
+    let to_metres = ToMetres::new(&finest.mesh, scale.metres_per_unit);
+    let labels = Labels {
+        stem: plan.stem.clone(),
+        marking: plan.marking,
+        utc: reading.utc(),
+        facc: plan.facc.clone(),
+        fsc: plan.fsc,
+        heading_source: placement.heading_source.label(),
+        scale_source: scale.source.label(),
+    };
+
+    let scene = export::scene_ply(&to_metres.gaussians(&done.gaussians), &placement, &labels)?;
+    publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
+    let mut store_model = None;
+    if args.format.contains(&Format::Cdb) {
+        let model = export::gs_model(&done.model.levels, &to_metres, &placement, &labels);
+        store_model = Some(write_cdb(&model, &plan.stem, store, &mut publication)?);
+    }
+    if args.format.contains(&Format::Flt) {
+        for file in export::flt(&done.model.levels, &to_metres, &placement, &labels)? {
+            publication.add(&file.path, &file.bytes, file.media_type, "model")?;
+        }
+    }
+    bar.check()?;
+    let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
+    publication.add("preview.png", &preview, "image/png", "preview")?;
+    bar.check()?;
+
+    let draft = RecordDraft {
+        event_type: "scene.generate".into(),
+        time: reading,
+        event_random: std::array::from_fn(|i| random[i]),
+        operator_id: record::operator_from(|name| std::env::var(name).ok()),
+        command: "orb geo".into(),
+        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
+        models: models(),
+        params: params(args, &settings, &done, &placement, &scale),
+        tool: tool(),
+        marking: plan.marking,
+        notes: None,
+    };
+    let mut ledger = Ledger::open(&data)?;
+    let published = publication.seal(&draft, &key.key, &mut ledger)?;
+    bar.finish();
+
+    let summary = Summary {
+        published: &published,
+        done: &done,
+        writing: writing.elapsed(),
+        total: started.elapsed(),
+        placement: &placement,
+        scale: &scale,
+        to_metres: &to_metres,
+        marking: plan.marking,
+        time: &reading,
+        store_model: store_model.as_deref(),
+        steps_planned: settings.iterations,
+    };
+    if args.json {
+        println!("{}", summary::json(&summary)?);
+    } else if !args.quiet {
+        print!("{}", summary::text(&summary));
+    }
+    Ok(0)
+}
+
+/// The whole file, its size looked at first.
+fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
+    let size = std::fs::metadata(path).map_err(|e| Error::io(path, &e).advice("Check the photo's path."))?.len();
+    if size > limit {
+        return Err(Error::usage(path.display().to_string())
+            .expected(format!("a photo of at most {} MiB", limit >> 20))
+            .found(format!("{} MiB", size >> 20)));
+    }
+    std::fs::read(path).map_err(|e| Error::io(path, &e))
+}
+
+/// A store on disk, locked for this run.
+struct OpenStore {
+    lock: StoreLock,
+    root: PathBuf,
+}
+
+fn open_store(root: &Path) -> Result<OpenStore> {
+    let lock = lock_store(root)?;
+    Ok(OpenStore { lock, root: root.to_owned() })
+}
+
+impl cdb::Store for OpenStore {
+    fn read(&self, path: &str) -> std::io::Result<Option<Vec<u8>>> {
+        match std::fs::read(self.root.join(path)) {
+            Ok(bytes) => Ok(Some(bytes)),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+/// Into the published folder as a store of its own, or into the store that was named. Returns the model's name there.
+fn write_cdb(
+    model: &cdb::GsModel,
+    stem: &str,
+    store: Option<OpenStore>,
+    publication: &mut Publication,
+) -> Result<String> {
+    match store {
+        None => {
+            let added = cdb::add_model(&cdb::Empty, model).map_err(export::format_error)?;
+            for folder in &added.folders {
+                publication.add_folder(&format!("{stem}.cdb/{folder}"))?;
+            }
+            for file in &added.files {
+                publication.add(&format!("{stem}.cdb/{}", file.path), &file.bytes, file.media_type, "cdb")?;
+            }
+            Ok(added.model_name)
+        }
+        Some(store) => {
+            let added = cdb::add_model(&store, model).map_err(export::format_error)?;
+            publication.merge(merge_into_store(store.lock, &added.files, &added.folders)?)?;
+            Ok(added.model_name)
+        }
+    }
+}
+
+fn scale_of(photo: &Photo, done: &Reconstruction, plan: &Plan, camera_height: f64) -> Result<Scale> {
+    let finest = &done.model.levels[0].mesh.positions;
+    let extents = Extents::of(finest.iter().map(|p| p.as_dvec3().to_array()))
+        .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
+    let view = View {
+        elevation: done.prior.elevation,
+        crop_side: done.prior.crop.width,
+        photo_width: photo.pixels.width(),
+        photo_height: photo.pixels.height(),
+        canonical_distance: crate::models::splat_prior::DISTANCE,
+        canonical_fov: crate::models::splat_prior::FOV,
+        focal_35mm: photo.exif.focal_35mm,
+    };
+    metres_per_unit(plan.known, &extents, &view, camera_height)
+}
+
+fn place(plan: &Plan, given: Option<f64>, photo: &Photo) -> Placement {
+    let (heading, heading_source) = match (given, photo.exif.image_direction) {
+        (Some(h), _) => (h, HeadingSource::Given),
+        (None, Some(h)) if photo.exif.direction_is_magnetic => (h, HeadingSource::ExifMagnetic),
+        (None, Some(h)) => (h, HeadingSource::ExifTrue),
+        (None, None) => (0.0, HeadingSource::Assumed),
+    };
+    if heading_source == HeadingSource::ExifMagnetic {
+        eprintln!("orb: warning: the photo's direction is magnetic and used as it is; give --heading for true north");
+    }
+    Placement { origin: plan.origin, heading: heading.rem_euclid(360.0), heading_source }
+}
+
+/// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
+fn models() -> Vec<crate::audit::statement::Model> {
+    let built_in = [&prior::SCENE, &prior::SPLAT]
+        .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name()));
+    let mut all = Vec::from(built_in);
+    all.extend(["sam2", "depth-anything-v2", "zero123pp", "gsplat", "colmap"].map(record::model_not_used));
+    all
+}
+
+fn params(
+    args: &GeoArgs,
+    settings: &Settings,
+    done: &Reconstruction,
+    placement: &Placement,
+    scale: &Scale,
+) -> BTreeMap<String, Param> {
+    let text = |v: String| Param::Text(v);
+    let formats: Vec<String> =
+        args.format.iter().filter_map(|f| f.to_possible_value()).map(|v| v.get_name().to_owned()).collect();
+    BTreeMap::from([
+        ("seed".into(), text(args.seed.to_string())),
+        ("formats".into(), text(formats.join(","))),
+        ("device".into(), text("cpu".into())),
+        ("lods".into(), Param::Int(settings.levels as i64)),
+        ("iterations_planned".into(), Param::Int(settings.iterations.into())),
+        ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
+        ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),
+        ("latitude".into(), text(placement.origin.latitude.to_string())),
+        ("longitude".into(), text(placement.origin.longitude.to_string())),
+        ("ellipsoidal_height_m".into(), text(placement.origin.height.to_string())),
+        ("heading_deg".into(), text(placement.heading.to_string())),
+        ("heading_source".into(), text(placement.heading_source.label().into())),
+        ("metres_per_unit".into(), text(scale.metres_per_unit.to_string())),
+        ("scale_source".into(), text(scale.source.label().into())),
+        ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
+        ("feature_code".into(), text(args.facc.clone())),
+    ])
+}
+
+fn tool() -> Tool {
+    Tool {
+        name: "orb".into(),
+        version: env!("CARGO_PKG_VERSION").into(),
+        target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
+        ..Default::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stems_are_safe_names() {
+        for (path, stem) in [
+            ("a/smart_car.jpg", "smart_car"),
+            ("IMG 0012 (3).JPG", "IMG_0012__3_"),
+            ("_x.png", "m0_x"),
+            ("é.png", "m0_"),
+            ("a-very-long-name-of-a-photo-indeed.tif", "m0a-very-long-name-of-a-"),
+        ] {
+            assert_eq!(safe_stem(Path::new(path)), stem);
+        }
+    }
+
+    #[test]
+    fn feature_codes() {
+        assert_eq!(feature_code("AL015/016").unwrap(), ("AL015".into(), 16));
+        assert_eq!(feature_code("UA005").unwrap(), ("UA005".into(), 0));
+        for bad in ["al015", "AL15", "AL015/1000", "AL015/x", "ÄA005", ""] {
+            assert!(feature_code(bad).is_err(), "{bad}");
+        }
+    }
+}

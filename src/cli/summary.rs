@@ -1,0 +1,162 @@
+//! What a run tells the user: lines for people, one JSON object for programs.
+
+use std::fmt::Write;
+use std::time::Duration;
+
+use crate::audit::marking::Marking;
+use crate::audit::publication::Published;
+use crate::audit::time::TimeReading;
+use crate::export::ToMetres;
+use crate::geo::{Placement, Scale};
+use crate::models::prior;
+use crate::pipeline::{self, Reconstruction};
+use crate::splat::train::{Quality, TargetReport};
+use crate::{Error, Result};
+
+pub struct Summary<'a> {
+    pub published: &'a Published,
+    pub done: &'a Reconstruction,
+    pub writing: Duration,
+    pub total: Duration,
+    pub placement: &'a Placement,
+    pub scale: &'a Scale,
+    pub to_metres: &'a ToMetres,
+    pub marking: Marking,
+    pub time: &'a TimeReading,
+    /// Name of the model in the CDB store.
+    pub store_model: Option<&'a str>,
+    pub steps_planned: u32,
+}
+
+/// Lines for a person.
+pub fn text(s: &Summary) -> String {
+    let mut out = String::new();
+    let report = &s.done.report;
+    let finest = &s.done.model.levels[0];
+    let (low, high) = finest.mesh.bounds();
+    let size = (high - low) * s.to_metres.scale;
+    let o = &s.placement.origin;
+    let mut line = |name: &str, words: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{name:<12} {words}");
+    };
+    line("marking", s.marking.banner().into());
+    line("published", s.published.folder.display().to_string());
+    if let Some(model) = s.store_model {
+        line("model", format!("{model} in the CDB store"));
+    }
+    line("place", format!("{}, {}, {} m above the ellipsoid", o.latitude, o.longitude, o.height));
+    line("heading", format!("{:.1}° ({})", s.placement.heading, s.placement.heading_source.label()));
+    line(
+        "size",
+        format!("{:.2} m across, {:.2} m deep, {:.2} m high ({})", size.x, size.y, size.z, s.scale.source.label()),
+    );
+    let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
+    line("levels", format!("{} vertices", vertices.join(", ")));
+    line("seen", format!("{:.0}% of the finest texture from the photo, the rest invented", finest.seen * 100.0));
+    let steps = match report.iterations {
+        run if run < s.steps_planned as usize => format!("{run} of {} steps, for lack of time", s.steps_planned),
+        run => format!("{run} steps"),
+    };
+    line("optimised", format!("{steps}; {}", quality(s.done)));
+    line("time", s.time.describe());
+    line("record", format!("{} of ledger {}", s.published.seq, s.published.ledger_id));
+    line("trail hash", s.published.trail_hash.clone());
+    line("signed by", s.published.signed_by.clone());
+    let stages: Vec<String> = s
+        .done
+        .timings
+        .iter()
+        .map(|t| format!("{} {:.1} s", t.stage, t.time.as_secs_f64()))
+        .chain([format!("writing and sealing {:.1} s", s.writing.as_secs_f64())])
+        .collect();
+    line("stages", stages.join(", "));
+    let memory = peak_memory().map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
+    line("used", format!("{:.1} s, {memory}", s.total.as_secs_f64()));
+    out
+}
+
+/// PSNR before and after the optimisation, dB.
+type Pair = (f32, f32);
+
+/// Of the photo inside its mask, of the photo's held-back pixels, of the six views trained on, of the held-back views
+/// between them (means).
+fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
+    let of = |select: &dyn Fn(&TargetReport) -> bool, value: &dyn Fn(&Quality) -> Option<f32>| {
+        let mean = |pick: &dyn Fn(&TargetReport) -> Quality| {
+            let all: Vec<f32> =
+                done.report.targets.iter().filter(|t| select(t)).filter_map(|t| value(&pick(t))).collect();
+            all.iter().sum::<f32>() / all.len().max(1) as f32
+        };
+        (mean(&|t| t.before), mean(&|t| t.after))
+    };
+    let photo = |t: &TargetReport| t.name == pipeline::PHOTO;
+    [
+        ("photo", of(&photo, &|q| Some(q.subject))),
+        ("photo_held_back", of(&photo, &|q| q.held_back)),
+        ("six_views", of(&|t| t.name.starts_with(pipeline::VIEW), &|q| Some(q.picture))),
+        ("held_back_views", of(&|t| t.name.starts_with(pipeline::HELD_BACK), &|q| Some(q.picture))),
+    ]
+}
+
+/// PSNR before → after, of what was trained on and of what was held back.
+fn quality(done: &Reconstruction) -> String {
+    let words = qualities(done)
+        .map(|(name, (before, after))| format!("{} {before:.1} → {after:.1} dB", name.replace('_', " ")));
+    words.join(", ")
+}
+
+/// The object of `--json`.
+///
+/// # Errors
+/// None in practice: every value is plain.
+pub fn json(s: &Summary) -> Result<String> {
+    let outputs: Vec<_> = s
+        .published
+        .outputs
+        .iter()
+        .map(|o| serde_json::json!({"path": o.path, "media_type": o.media_type, "bytes": o.bytes, "sha256": o.sha256}))
+        .collect();
+    let stages: Vec<_> = s
+        .done
+        .timings
+        .iter()
+        .map(|t| serde_json::json!({"name": t.stage, "seconds": t.time.as_secs_f64()}))
+        .chain([serde_json::json!({"name": "writing and sealing", "seconds": s.writing.as_secs_f64()})])
+        .collect();
+    let o = &s.placement.origin;
+    let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
+        .into_iter()
+        .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
+        .collect();
+    let models = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
+    let object = serde_json::json!({
+        "folder": s.published.folder.display().to_string(),
+        "outputs": outputs,
+        "stages": stages,
+        "seconds": s.total.as_secs_f64(),
+        "peak_memory_bytes": peak_memory(),
+        "models": models,
+        "device": "cpu",
+        "georeference": {
+            "latitude": o.latitude, "longitude": o.longitude, "ellipsoidal_height_m": o.height,
+            "heading_deg": s.placement.heading, "heading_source": s.placement.heading_source.label(),
+        },
+        "scale": {"metres_per_unit": s.scale.metres_per_unit, "source": s.scale.source.label()},
+        "psnr_db": psnr,
+        "cdb_model": s.store_model,
+        "marking": s.marking.banner(),
+        "record": {
+            "ledger_id": s.published.ledger_id, "seq": s.published.seq,
+            "trail_hash": s.published.trail_hash, "signed_by": s.published.signed_by,
+        },
+    });
+    serde_json::to_string(&object).map_err(|e| Error::environment("--json").found(e.to_string()))
+}
+
+/// Highest resident memory of this process, bytes; `None` where the system does not say.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kib| kib * 1024)
+}

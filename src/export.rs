@@ -1,0 +1,265 @@
+//! From a reconstruction to placed files: metres, subject frame, formats, preview.
+
+use glam::{Mat3, Vec3};
+use image::RgbImage;
+use orb_formats::{File, Image, cdb, openflight, ply, sgi};
+
+use crate::audit::{Marking, inband};
+use crate::geo::Placement;
+use crate::mesh::{self, Level};
+use crate::pipeline::Reconstruction;
+use crate::preview::{self, Tile};
+use crate::splat::{Camera, Gaussians};
+use crate::{Error, Kind, Result, views};
+
+/// The move from the unit frame to the subject frame: p → scale · (p − base).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToMetres {
+    /// Centre of the footprint's rectangle, at the ground, in the unit frame.
+    pub base: Vec3,
+    pub scale: f32,
+}
+
+impl ToMetres {
+    /// The finest level's bounding rectangle decides the centre, its lowest vertex the ground.
+    pub fn new(finest: &mesh::Mesh, metres_per_unit: f64) -> Self {
+        let (low, high) = finest.bounds();
+        let centre = (low + high) / 2.0;
+        ToMetres { base: Vec3::new(centre.x, centre.y, low.z), scale: metres_per_unit as f32 }
+    }
+
+    pub fn gaussians(&self, g: &Gaussians) -> Gaussians {
+        g.transformed(Mat3::IDENTITY, self.scale, -self.scale * self.base)
+    }
+
+    fn mesh(&self, m: &mesh::Mesh) -> orb_formats::Mesh {
+        let place = |p: &Vec3| ((*p - self.base).as_dvec3() * f64::from(self.scale)).to_array();
+        orb_formats::Mesh {
+            positions: m.positions.iter().map(place).collect(),
+            normals: m.normals.iter().map(|n| n.to_array()).collect(),
+            uvs: m.uvs.iter().map(|t| t.to_array()).collect(),
+            triangles: m.triangles.clone(),
+        }
+    }
+
+    fn levels(&self, levels: &[Level]) -> Vec<cdb::Level> {
+        let coarsest_first = levels.iter().rev();
+        coarsest_first
+            .map(|l| cdb::Level {
+                mesh: self.mesh(&l.mesh),
+                significant_size: f64::from(l.error_to_coarser * self.scale),
+                texture: rgb(&l.texture),
+            })
+            .collect()
+    }
+}
+
+/// What every writer is told beside the geometry.
+#[derive(Clone, Debug)]
+pub struct Labels {
+    /// The photo's stem, safe for file names.
+    pub stem: String,
+    pub marking: Marking,
+    /// `YYYY-MM-DDTHH:MM:SS.mmmZ`.
+    pub utc: String,
+    pub facc: String,
+    pub fsc: u16,
+    pub heading_source: &'static str,
+    pub scale_source: &'static str,
+}
+
+/// The Gaussians in metres, the georeference in the header's comments, the marking first.
+pub fn scene_ply(g: &Gaussians, placement: &Placement, labels: &Labels) -> Result<File> {
+    let o = &placement.origin;
+    let comments = [
+        labels.marking.line(),
+        "frame: subject, right-handed, metres, Z up, +Y where the camera pointed, origin on the ground".into(),
+        format!("origin WGS84 latitude {} longitude {} ellipsoidal height {} m", o.latitude, o.longitude, o.height),
+        format!("heading of +Y {} degrees clockwise from true north ({})", placement.heading, labels.heading_source),
+        format!("scale source: {}", labels.scale_source),
+    ];
+    let splats = ply::Splats {
+        positions: g.positions.iter().map(|p| p.to_array()).collect(),
+        log_scales: g.log_scales.iter().map(|s| s.to_array()).collect(),
+        rotations: g.rotations.clone(),
+        logit_opacities: g.logit_opacities.clone(),
+        sh: g.sh.clone(),
+    };
+    let bytes = ply::write(&splats, &comments).map_err(format_error)?;
+    Ok(File { path: "scene.ply".into(), bytes, media_type: "application/ply" })
+}
+
+/// The model for a CDB store; levels coarsest first.
+pub fn gs_model(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels: &Labels) -> cdb::GsModel {
+    cdb::GsModel {
+        name: labels.stem.clone(),
+        facc: labels.facc.clone(),
+        fsc: labels.fsc,
+        latitude: placement.origin.latitude,
+        longitude: placement.origin.longitude,
+        height: placement.origin.height,
+        heading: placement.heading,
+        levels: to_metres.levels(levels),
+        marking: labels.marking.line(),
+        date: openflight_date(&labels.utc),
+        dbf_date: dbf_date(&labels.utc),
+        comment: "made by Orb".into(),
+    }
+}
+
+/// One OpenFlight file with every level, its geometry turned so that +Y is true north, and its textures.
+pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels: &Labels) -> Result<Vec<File>> {
+    // Pixels of error allowed on a 1080-line screen with 60° vertical field of view: distance = size · H / (2 p tan(f/2)).
+    const DISTANCE_PER_METRE: f64 = 1080.0 / (2.0 * 0.577_350_269_189_625_8);
+    let stem = &labels.stem;
+    let coarsest_first = to_metres.levels(levels);
+    let turned: Vec<orb_formats::Mesh> = coarsest_first.iter().map(|l| to_north(&l.mesh, placement.heading)).collect();
+    let center = turned
+        .last()
+        .and_then(orb_formats::Mesh::bounds)
+        .map_or([0.0; 3], |(low, high)| std::array::from_fn(|i| (low[i] + high[i]) / 2.0));
+    let mut files = Vec::new();
+    let mut model = openflight::Model {
+        name: stem.clone(),
+        date: openflight_date(&labels.utc),
+        origin: Some((placement.origin.latitude, placement.origin.longitude)),
+        header_comment: Some(labels.marking.line()),
+        zone_comment: None,
+        textures: Vec::new(),
+        levels: Vec::new(),
+    };
+    let count = coarsest_first.len();
+    for (i, (level, mesh)) in coarsest_first.iter().zip(turned).enumerate() {
+        let texture = format!("{stem}_{i}.rgb");
+        let bytes = sgi::write(&level.texture, &labels.marking.line(), true).map_err(format_error)?;
+        files.push(File { path: texture.clone(), bytes, media_type: "image/x-sgi" });
+        model.textures.push(texture);
+        let distance = |size: f64| size * DISTANCE_PER_METRE;
+        let switch_in = if i == 0 { 100_000.0 } else { distance(level.significant_size) };
+        let switch_out = if i + 1 == count { 0.0 } else { distance(coarsest_first[i + 1].significant_size) };
+        model.levels.push(openflight::Level {
+            name: format!("{stem}_{i}"),
+            switch_in,
+            switch_out,
+            transition: 0.0,
+            significant_size: level.significant_size,
+            center,
+            texture: Some(i),
+            mesh,
+        });
+    }
+    let bytes = openflight::write(&model).map_err(format_error)?;
+    files.insert(0, File { path: format!("{stem}.flt"), bytes, media_type: "application/x-openflight" });
+    Ok(files)
+}
+
+/// Subject frame → east, north, up.
+fn to_north(mesh: &orb_formats::Mesh, heading: f64) -> orb_formats::Mesh {
+    let (sin, cos) = heading.to_radians().sin_cos();
+    let turn = |x: f64, y: f64| (x * cos + y * sin, -x * sin + y * cos);
+    let mut out = mesh.clone();
+    for p in &mut out.positions {
+        (p[0], p[1]) = turn(p[0], p[1]);
+    }
+    for n in &mut out.normals {
+        let (e, m) = turn(n[0].into(), n[1].into());
+        (n[0], n[1]) = (e as f32, m as f32);
+    }
+    out
+}
+
+/// Photo, mask and depth; the six views; the model turned; its levels.
+pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Result<Vec<u8>> {
+    let small = image::imageops::thumbnail(photo, fitted(photo, 0), fitted(photo, 1));
+    let tile = |image: RgbImage, caption: &str| Tile { image, caption: caption.into() };
+    let what = vec![
+        tile(small.clone(), "photo"),
+        tile(preview::masked(&small, &r.subject.mask), "subject mask"),
+        tile(preview::depth_colours(&r.subject.depth, &r.subject.mask), "relative depth"),
+    ];
+    let six = r.six.iter().zip(views::SIX_AZIMUTHS).map(|((camera, f), azimuth)| {
+        let image = preview::from_floats(camera.width as usize, camera.height as usize, &f.color);
+        tile(image, &format!("view {azimuth}"))
+    });
+    let finest = &r.model.levels[0];
+    let draw =
+        |level: &Level, camera: &Camera| mesh::raster(&level.mesh, Some(&level.texture), camera, [255, 255, 255], 2);
+    let turned = (0..6).map(|i| {
+        let azimuth = 60.0 * i as f32;
+        tile(draw(finest, &views::orbit(azimuth, 15.0, views::DISTANCE, 384)), &format!("model {azimuth}"))
+    });
+    let mut last = vec![
+        tile(draw(finest, &views::orbit(0.0, 89.0, views::DISTANCE, 384)), "from above"),
+        tile(draw(finest, &views::orbit(0.0, -60.0, views::DISTANCE, 384)), "from below"),
+    ];
+    for level in &r.model.levels {
+        let caption = format!("{} vertices", level.mesh.positions.len());
+        last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
+    }
+    let sheet = preview::sheet(&[what, six.collect(), turned.collect(), last], marking.banner());
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    sheet
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .map_err(|e| Error::environment("preview.png").found(e.to_string()))?;
+    Ok(inband::mark_png(&bytes.into_inner(), marking))
+}
+
+/// Width (0) or height (1) of the photo brought down to the preview's size.
+fn fitted(photo: &RgbImage, axis: usize) -> u32 {
+    let size = [photo.width(), photo.height()];
+    let scale = (512.0 / f64::from(size[0].max(size[1]))).min(1.0);
+    ((f64::from(size[axis]) * scale).round() as u32).max(1)
+}
+
+/// `Mon Jan  1 00:00:00 2024`, the form of the OpenFlight header, from an ISO 8601 time.
+fn openflight_date(utc: &str) -> String {
+    const MONTHS: [&str; 12] = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
+    const DAYS: [&str; 7] = ["Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"];
+    let (year, month, day) = dbf_date(utc);
+    let clock = utc.get(11..19).unwrap_or("00:00:00");
+    // Sakamoto's method.
+    const T: [u32; 12] = [0, 3, 2, 5, 0, 3, 5, 1, 4, 6, 2, 4];
+    let m = usize::from(month.clamp(1, 12)) - 1;
+    let y = u32::from(year) - u32::from(m < 2);
+    let weekday = (y + y / 4 - y / 100 + y / 400 + T[m] + u32::from(day)) % 7;
+    format!("{} {} {day:>2} {clock} {year}", DAYS[weekday as usize], MONTHS[m])
+}
+
+fn dbf_date(utc: &str) -> (u16, u8, u8) {
+    let part = |range: std::ops::Range<usize>| utc.get(range).and_then(|t| t.parse::<u16>().ok()).unwrap_or(1);
+    (part(0..4), part(5..7) as u8, part(8..10) as u8)
+}
+
+fn rgb(image: &RgbImage) -> Image {
+    Image { width: image.width(), height: image.height(), channels: 3, pixels: image.as_raw().clone() }
+}
+
+/// A writer refused: what it says is what the user can act on.
+pub fn format_error(e: orb_formats::Error) -> Error {
+    Error::new(Kind::Usage, "export").found(e.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_as_openflight_writes_them() {
+        assert_eq!(openflight_date("2024-01-01T00:00:00.000Z"), "Mon Jan  1 00:00:00 2024");
+        assert_eq!(openflight_date("2026-11-21T04:05:06.789Z"), "Sat Nov 21 04:05:06 2026");
+        assert_eq!(dbf_date("2026-11-21T04:05:06.789Z"), (2026, 11, 21));
+    }
+
+    #[test]
+    fn north_is_y_after_turning() {
+        let mesh = orb_formats::Mesh {
+            positions: vec![[0.0, 1.0, 0.0]],
+            normals: vec![[0.0, 1.0, 0.0]],
+            uvs: vec![[0.0; 2]],
+            triangles: vec![],
+        };
+        let east = to_north(&mesh, 90.0);
+        assert!((east.positions[0][0] - 1.0).abs() < 1e-12 && east.positions[0][1].abs() < 1e-12);
+        assert!((east.normals[0][0] - 1.0).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,255 @@
+//! Texture from rendered views and the photo.
+//!
+//! Each texel of the finest level collects colour, in linear light, from the views that see its point, weighted by how
+//! straight they look at it; the photo's own pixels win where the photo sees it well. Coarser levels take their texels
+//! from the finest one's texture at the closest point of its surface, so that levels do not differ in colour.
+
+use super::color::{Linear, to_byte};
+use super::distance::{Bvh, barycentric};
+use super::fill::{Surroundings, pad};
+use super::raster::visibility;
+use super::source::{Source, photo_source, rendered_source};
+use super::unwrap::cells_inside;
+use super::{Mesh, Options, PhotoView, VIEW_DISTANCE, VIEW_FOV, View, cross, fibonacci_sphere, rendered};
+use crate::Result;
+use crate::progress::Progress;
+use crate::splat::Camera;
+use glam::{Vec2, Vec3};
+use image::{Rgb, RgbImage};
+use rayon::prelude::*;
+
+/// One texel that a triangle covers.
+pub struct Texel {
+    index: u32,
+    pub position: Vec3,
+    /// Smooth normal.
+    pub normal: Vec3,
+    /// The triangle's own.
+    pub face: Vec3,
+}
+
+/// A texture in linear light, with what is known of each texel.
+pub struct Baked {
+    pub size: usize,
+    /// Linear RGB; meaningful everywhere after padding.
+    pub color: Vec<[f32; 3]>,
+    /// Share of the photo in the colour, 0..1; negative where no triangle covers the texel.
+    pub from_photo: Vec<f32>,
+}
+
+impl Baked {
+    /// Share of covered texels that are mostly the photo's.
+    pub fn seen(&self) -> f32 {
+        let covered = self.from_photo.iter().filter(|s| **s >= 0.0).count();
+        let seen = self.from_photo.iter().filter(|s| **s >= 0.5).count();
+        seen as f32 / covered.max(1) as f32
+    }
+
+    pub fn image(&self) -> RgbImage {
+        let size = self.size as u32;
+        RgbImage::from_fn(size, size, |x, y| Rgb(self.color[y as usize * self.size + x as usize].map(to_byte)))
+    }
+}
+
+fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
+    let mut owner = vec![u32::MAX; size * size];
+    let flat: Vec<[Vec2; 3]> =
+        mesh.triangles.iter().map(|t| t.map(|i| texel_place(mesh.uvs[i as usize], size))).collect();
+    for (f, t) in flat.iter().enumerate() {
+        cells_inside(*t, size, size, -1e-3, |x, y| owner[y * size + x] = f as u32);
+    }
+    (0..size * size)
+        .into_par_iter()
+        .filter_map(|i| {
+            let triangle = mesh.triangles.get(owner[i] as usize)?;
+            let p = Vec2::new((i % size) as f32 + 0.5, (i / size) as f32 + 0.5);
+            let w = barycentric(p, flat[owner[i] as usize])?;
+            let [a, b, c] = triangle.map(|v| v as usize);
+            let normal = mesh.normals[a] * w[0] + mesh.normals[b] * w[1] + mesh.normals[c] * w[2];
+            let face = cross(&mesh.positions, triangle).normalize_or_zero();
+            Some(Texel {
+                index: i as u32,
+                position: mesh.positions[a] * w[0] + mesh.positions[b] * w[1] + mesh.positions[c] * w[2],
+                normal: normal.try_normalize().unwrap_or(face),
+                face,
+            })
+        })
+        .collect()
+}
+
+fn texel_place(uv: Vec2, size: usize) -> Vec2 {
+    Vec2::new(uv.x, 1.0 - uv.y) * size as f32
+}
+
+/// The cameras that colours come from.
+pub fn color_cameras(count: usize, size: u32) -> Vec<Camera> {
+    fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
+}
+
+/// Bakes the finest level.
+pub fn bake(
+    mesh: &Mesh,
+    size: u32,
+    render: &(dyn Fn(&Camera) -> View + Sync),
+    photo: Option<&PhotoView>,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Baked> {
+    let size = size as usize;
+    let texels = texels(mesh, size);
+    let linear = Linear::default();
+    let mut sums = vec![[0f32; 4]; texels.len()];
+    let cameras = color_cameras(options.color_views, options.color_size);
+    for (done, camera) in cameras.iter().enumerate() {
+        progress.check()?;
+        let view = rendered(render, camera)?;
+        let seen = visibility(&mesh.positions, &mesh.triangles, &view.camera);
+        let source = rendered_source(&view, &seen, options.background, &linear);
+        sums.par_iter_mut().zip(&texels).for_each(|(sum, texel)| {
+            if let Some((at, straight)) = source.sees(texel) {
+                let (color, trust) = source.at(at);
+                let weight = straight.powi(4) * trust;
+                for (sum, c) in sum.iter_mut().zip(color) {
+                    *sum += weight * c;
+                }
+                sum[3] += weight;
+            }
+        });
+        progress.step(done as u64 + 1);
+    }
+    let around = from_views(&texels, &sums);
+    let photo = photo.filter(|p| p.camera.width > 0 && p.camera.height > 0).map(|photo| {
+        let seen = visibility(&mesh.positions, &mesh.triangles, &photo.camera);
+        photo_source(photo, &seen, &linear)
+    });
+    let colors = match photo {
+        Some(source) => with_photo(&texels, &around, &source),
+        None => around.into_iter().map(|c| (c, 0.0)).collect(),
+    };
+    let mut baked = Baked { size, color: vec![[0.0; 3]; size * size], from_photo: vec![-1.0; size * size] };
+    for (texel, (color, share)) in texels.iter().zip(colors) {
+        baked.color[texel.index as usize] = color;
+        baked.from_photo[texel.index as usize] = share;
+    }
+    pad(&mut baked.color, &baked.from_photo, size);
+    Ok(baked)
+}
+
+/// The views' weighted mean; where no view sees a texel, what is around it.
+fn from_views(texels: &[Texel], sums: &[[f32; 4]]) -> Vec<[f32; 3]> {
+    let mean = |s: &[f32; 4]| (s[3] > 1e-4).then(|| [s[0] / s[3], s[1] / s[3], s[2] / s[3]]);
+    let known = texels.iter().zip(sums).filter_map(|(t, s)| Some((t.position, mean(s)?)));
+    let unseen = Surroundings::new(known, 1.0);
+    texels.par_iter().zip(sums).map(|(t, s)| mean(s).unwrap_or_else(|| unseen.at(t.position))).collect()
+}
+
+/// Colours and the photo's share in them. Where the photo ends, its ratio to the views fades out over the
+/// neighbourhood (a few twentieths of the unit), so that no edge shows.
+fn with_photo(texels: &[Texel], around: &[[f32; 3]], source: &Source) -> Vec<([f32; 3], f32)> {
+    let seen: Vec<([f32; 3], f32)> = texels
+        .par_iter()
+        .map(|texel| match source.sees(texel) {
+            Some((at, straight)) => {
+                let (color, trust) = source.at(at);
+                (color, trust * smoothstep(0.15, 0.38, straight))
+            }
+            None => ([0.0; 3], 0.0),
+        })
+        .collect();
+    let known = texels.iter().zip(around).zip(&seen).filter(|(_, (_, share))| *share > 0.8);
+    /// Beside black, ratios say little.
+    const DARK: f32 = 0.02;
+    /// The logarithm of half and double.
+    const MOST: f32 = 0.7;
+    let ratio = |photo: f32, views: f32| ((photo + DARK) / (views + DARK)).ln().clamp(-MOST, MOST);
+    let ratios = Surroundings::new(
+        known.map(|((t, views), (photo, _))| (t.position, std::array::from_fn(|k| ratio(photo[k], views[k])))),
+        0.7,
+    );
+    texels
+        .par_iter()
+        .zip(around)
+        .zip(&seen)
+        .map(|((texel, views), &(photo, share))| {
+            let ratio = ratios.at(texel.position);
+            let color = std::array::from_fn(|k| {
+                let near = ((views[k] + DARK) * ratio[k].exp() - DARK).clamp(0.0, 1.0);
+                near + share * (photo[k] - near)
+            });
+            (color, share)
+        })
+        .collect()
+}
+
+/// A coarser level's texture out of the finest one's, by closest points that look the same way.
+pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked: &Baked) -> Baked {
+    /// Each texel is the mean of this many samples squared.
+    const FINER: usize = 2;
+    let size = size as usize;
+    let samples: Vec<(u32, [f32; 3], f32)> = texels(mesh, size * FINER)
+        .par_iter()
+        .filter_map(|texel| {
+            let looks_alike = |t: u32| cross(&fine.positions, &fine.triangles[t as usize]).dot(texel.normal) > 0.0;
+            let found = fine_bvh
+                .closest(texel.position, 0.3, looks_alike)
+                .or_else(|| fine_bvh.closest(texel.position, 100.0, |_| true))?;
+            let t = fine.triangles[found.triangle as usize].map(|i| i as usize);
+            let w = barycentric_3d(found.point, t.map(|i| fine.positions[i]));
+            let uv = fine.uvs[t[0]] * w.x + fine.uvs[t[1]] * w.y + fine.uvs[t[2]] * w.z;
+            let (color, share) = bilinear(fine_baked, uv);
+            let (x, y) = (texel.index as usize % (size * FINER) / FINER, texel.index as usize / (size * FINER) / FINER);
+            Some(((y * size + x) as u32, color, share))
+        })
+        .collect();
+    let mut sums = vec![([0f32; 3], 0f32, 0f32); size * size];
+    for (i, color, share) in samples {
+        let sum = &mut sums[i as usize];
+        for (s, c) in sum.0.iter_mut().zip(color) {
+            *s += c;
+        }
+        sum.1 += share;
+        sum.2 += 1.0;
+    }
+    let mut color: Vec<[f32; 3]> = sums.iter().map(|s| s.0.map(|c| c / s.2.max(1.0))).collect();
+    let from_photo: Vec<f32> = sums.iter().map(|s| if s.2 > 0.0 { s.1 / s.2 } else { -1.0 }).collect();
+    pad(&mut color, &from_photo, size);
+    Baked { size, color, from_photo }
+}
+
+fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
+    let n = (b - a).cross(c - a);
+    let area = n.length_squared();
+    if area <= 1e-30 {
+        return Vec3::X;
+    }
+    let v = (p - a).cross(c - a).dot(n) / area;
+    let w = (b - a).cross(p - a).dot(n) / area;
+    Vec3::new(1.0 - v - w, v, w)
+}
+
+fn bilinear(baked: &Baked, uv: Vec2) -> ([f32; 3], f32) {
+    let n = baked.size;
+    let q = (texel_place(uv, n) - Vec2::splat(0.5)).clamp(Vec2::ZERO, Vec2::splat((n - 1) as f32 - 1e-3));
+    let (x, y) = (q.x as usize, q.y as usize);
+    let (tx, ty) = (q.x - x as f32, q.y - y as f32);
+    let i = y * n + x;
+    let corners =
+        [(i, (1.0 - tx) * (1.0 - ty)), (i + 1, tx * (1.0 - ty)), (i + n, (1.0 - tx) * ty), (i + n + 1, tx * ty)];
+    let mut color = [0f32; 3];
+    let (mut photo, mut covered) = (0f32, 0f32);
+    for (j, share) in corners {
+        for (c, v) in color.iter_mut().zip(baked.color[j]) {
+            *c += share * v;
+        }
+        if baked.from_photo[j] >= 0.0 {
+            photo += share * baked.from_photo[j];
+            covered += share;
+        }
+    }
+    (color, if covered > 0.0 { photo / covered } else { 0.0 })
+}
+
+fn smoothstep(from: f32, to: f32, x: f32) -> f32 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}

@@ -1,0 +1,214 @@
+//! All of it in order: volume, surface, levels.
+
+use super::bake::{bake, transfer};
+use super::distance::{Bvh, farthest, samples};
+use super::extract::extract;
+use super::fuse::{DepthMap, Volume, fuse};
+use super::simplify::Simplifier;
+use super::smooth::{taubin, vertex_normals};
+use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
+use super::{
+    Level, Mesh, Model, Options, PhotoView, Surface, VIEW_DISTANCE, VIEW_FOV, View, clean, fibonacci_sphere, pack,
+    rendered,
+};
+use crate::progress::Progress;
+use crate::splat::Camera;
+use crate::{Error, Result};
+use glam::Vec3;
+
+pub(super) fn build(
+    render: &(dyn Fn(&Camera) -> View + Sync),
+    photo: Option<&PhotoView>,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Model> {
+    progress.begin("fuse", options.views as u64);
+    let volume = solid(render, options, progress)?;
+    progress.begin("simplify", options.levels as u64);
+    let surface = closed_surface(&volume);
+    if surface.triangles.len() < 4 || surface.volume() <= 0.0 {
+        return Err(Error::usage("mesh")
+            .expected("a solid subject")
+            .found("less than one volume sample of it")
+            .advice("Use a photo in which the subject is larger or less transparent."));
+    }
+    let meshes = simplified(&volume, &surface, options, progress)?;
+    progress.begin("texture", options.color_views as u64);
+    let sizes = &options.texture_size;
+    let finest = &meshes[0];
+    let bvhs: Vec<Bvh> = meshes.iter().map(|m| Bvh::new(&m.positions, &m.triangles)).collect();
+    let baked = bake(finest, sizes[0], render, photo, options, progress)?;
+    let mut textures = Vec::new();
+    for (mesh, &size) in meshes.iter().zip(sizes) {
+        progress.check()?;
+        textures.push(match textures.is_empty() {
+            true => (baked.image(), baked.seen()),
+            false => {
+                let coarse = transfer(mesh, size, finest, &bvhs[0], &baked);
+                (coarse.image(), coarse.seen())
+            }
+        });
+    }
+    let errors = errors(&surface, &meshes, &bvhs);
+    let levels = meshes
+        .into_iter()
+        .zip(textures)
+        .zip(errors)
+        .map(|((mesh, (texture, seen)), (error, error_to_coarser))| Level {
+            mesh,
+            texture,
+            error,
+            error_to_coarser,
+            seen,
+        })
+        .collect();
+    Ok(Model { levels, surface })
+}
+
+/// The cameras that depth comes from.
+pub fn depth_cameras(count: usize, size: u32) -> Vec<Camera> {
+    fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
+}
+
+/// One solid without cavities and floaters, and where it stands.
+struct Solid {
+    volume: Volume,
+    ground: Option<f32>,
+}
+
+fn solid(render: &(dyn Fn(&Camera) -> View + Sync), options: &Options, progress: &dyn Progress) -> Result<Solid> {
+    let mut maps = Vec::with_capacity(options.views);
+    for (done, camera) in depth_cameras(options.views, options.view_size).iter().enumerate() {
+        progress.check()?;
+        maps.push(DepthMap::new(&rendered(render, camera)?));
+        progress.step(done as u64 + 1);
+    }
+    let mut volume = fuse(&maps, options.voxels)?;
+    drop(maps);
+    progress.check()?;
+    clean::thin_thick_parts(&mut volume);
+    clean::fill_cavities(&mut volume);
+    clean::keep_what_belongs(&mut volume);
+    let ground = clean::flatten_ground(&mut volume);
+    Ok(Solid { volume, ground })
+}
+
+fn closed_surface(solid: &Solid) -> Surface {
+    let mut surface = extract(&solid.volume);
+    let Volume { voxel, noise, .. } = solid.volume;
+    // More where the views disagree.
+    let rounds = (6.0 + 8.0 * noise / voxel).min(30.0) as usize;
+    if let Some(ground) = solid.ground {
+        let (lo, hi) = surface.bounds();
+        stand_on(&mut surface, ground, 0.5 * voxel, voxel.max(noise.min(0.03 * (hi.z - lo.z))));
+    }
+    taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
+    surface
+}
+
+/// Level by level, each from the finest surface, unwrapped, none over its cap.
+fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dyn Progress) -> Result<Vec<Mesh>> {
+    let mut simplifier = Simplifier::new(surface);
+    let mut coarser: Option<Solid> = None;
+    let mut meshes = Vec::new();
+    for level in 0..options.levels {
+        progress.check()?;
+        let size = options.texture_size[level];
+        let texels = 0.65 * (size as f32).powi(2);
+        let (surface, charts) = fit(&mut simplifier, options.vertex_caps[level], texels, solid, &mut coarser)?;
+        let atlas = pack::pack(&charts, size)?;
+        meshes.push(assemble(&surface, &charts, &atlas.uv));
+        progress.step(level as u64 + 1);
+    }
+    Ok(meshes)
+}
+
+/// Simplifies until what the seams make of the vertices fits `cap`.
+fn fit(
+    simplifier: &mut Simplifier,
+    cap: usize,
+    texels: f32,
+    solid: &Solid,
+    coarser: &mut Option<Solid>,
+) -> Result<(Surface, Vec<Chart>)> {
+    let mut target = simplifier.vertices_left().min(cap * 9 / 10);
+    loop {
+        if !simplifier.reduce_to(target)
+            && simplifier.vertices_left() > target.max(4)
+            && !simplifier.drop_smallest_part()
+        {
+            // Too many holes and handles for so few vertices: start from a volume in which they have closed.
+            let finer = coarser.as_ref().unwrap_or(solid);
+            let half = finer.volume.coarser();
+            if half.dims.iter().all(|n| *n <= 6) {
+                return Err(Error::usage("mesh")
+                    .expected(format!("a shape that {cap} vertices can hold"))
+                    .found(format!("{} vertices that cannot be fewer", simplifier.vertices_left())));
+            }
+            let mut half = Solid { volume: half, ground: finer.ground };
+            clean::fill_cavities(&mut half.volume);
+            if let Some(ground) = half.ground {
+                clean::cut_below(&mut half.volume, ground);
+            }
+            *simplifier = Simplifier::new(&closed_surface(&half));
+            *coarser = Some(half);
+        }
+        if simplifier.vertices_left() > target.max(4) {
+            continue;
+        }
+        let mut surface = simplifier.surface();
+        if let Some(ground) = solid.ground {
+            let voxel = solid.volume.voxel;
+            stand_on(&mut surface, ground, 0.5 * voxel, voxel);
+        }
+        let charts = charts(&surface, if cap > 1024 { &FLAT } else { &ROUND }, texels);
+        let count = split_count(&surface, &charts);
+        if count <= cap {
+            return Ok((surface, charts));
+        }
+        target = (simplifier.vertices_left() * cap / count).min(simplifier.vertices_left() - 1);
+        if target < 4 {
+            return Err(Error::usage("vertex cap").expected("room for the seams").found(format!("{cap} vertices")));
+        }
+    }
+}
+
+/// What is lower than `near` over the ground goes onto it, and what faces down lower than `undersides`.
+fn stand_on(surface: &mut Surface, ground: f32, near: f32, undersides: f32) {
+    let normals = vertex_normals(&surface.positions, &surface.triangles);
+    for (p, n) in surface.positions.iter_mut().zip(normals) {
+        if p.z < ground + near || (n.z < -0.6 && p.z < ground + undersides) {
+            p.z = ground;
+        }
+    }
+}
+
+/// (to the surface, to the next coarser level) of each level.
+fn errors(surface: &Surface, meshes: &[Mesh], bvhs: &[Bvh]) -> Vec<(f32, f32)> {
+    const MOST: usize = 30_000;
+    let all = |m: &Mesh| samples(&m.positions, &m.triangles, MOST);
+    let whole = Bvh::new(&surface.positions, &surface.triangles);
+    let whole_samples = samples(&surface.positions, &surface.triangles, MOST);
+    let points: Vec<Vec<Vec3>> = meshes.iter().map(all).collect();
+    let mut result: Vec<(f32, f32)> = (0..meshes.len())
+        .map(|k| {
+            let error = farthest(&points[k], &whole).0.max(farthest(&whole_samples, &bvhs[k]).0);
+            let coarser = match meshes.get(k + 1) {
+                Some(_) => farthest(&points[k], &bvhs[k + 1]).0.max(farthest(&points[k + 1], &bvhs[k]).0),
+                None => {
+                    let (lo, hi) = meshes[k].bounds();
+                    lo.distance(hi)
+                }
+            };
+            (error, coarser)
+        })
+        .collect();
+    // A switch from level to level needs sizes that grow.
+    for k in 1..result.len() {
+        result[k].1 = result[k].1.max(1.05 * result[k - 1].1).max(1e-6);
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests;

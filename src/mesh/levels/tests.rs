@@ -1,0 +1,261 @@
+use super::super::clean::edges_used_twice;
+use super::super::scenes::{self, Scene};
+use super::super::{build, raster};
+use super::*;
+use crate::progress::Silent;
+use glam::Mat3;
+
+fn quick() -> Options {
+    Options {
+        voxels: 72,
+        views: 36,
+        view_size: 144,
+        color_views: 16,
+        color_size: 128,
+        texture_size: [256, 128, 64, 64],
+        vertex_caps: [3000, 1000, 400, 128],
+        background: scenes::BACKGROUND,
+        ..Options::default()
+    }
+}
+
+fn made(scene: &Scene, options: &Options) -> Model {
+    build(&|c| scene.render(c), None, options, &Silent).unwrap()
+}
+
+/// Faces by position: seams welded.
+fn welded(mesh: &Mesh) -> Vec<[u32; 3]> {
+    let mut places: Vec<[u32; 3]> = mesh.positions.iter().map(|p| p.to_array().map(f32::to_bits)).collect();
+    let of = places.clone();
+    places.sort_unstable();
+    places.dedup();
+    let find = |i: u32| places.binary_search(&of[i as usize]).unwrap() as u32;
+    mesh.triangles.iter().map(|t| t.map(find)).collect()
+}
+
+/// What every model must be.
+fn check(model: &Model, options: &Options) {
+    assert_eq!(model.levels.len(), options.levels);
+    assert!(edges_used_twice(&model.surface.triangles));
+    for (k, level) in model.levels.iter().enumerate() {
+        let m = &level.mesh;
+        assert!(m.positions.len() <= options.vertex_caps[k], "level {k}: {}", m.positions.len());
+        assert!(m.positions.len() == m.normals.len() && m.positions.len() == m.uvs.len());
+        assert!(m.positions.iter().all(|p| p.is_finite()));
+        assert!(m.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-3));
+        assert!(m.uvs.iter().all(|uv| uv.min_element() >= 0.0 && uv.max_element() <= 1.0));
+        let triangles = welded(m);
+        assert!(edges_used_twice(&triangles), "level {k} is not closed");
+        let mut sorted: Vec<[u32; 3]> = triangles
+            .iter()
+            .map(|t| {
+                let mut t = *t;
+                t.sort_unstable();
+                t
+            })
+            .collect();
+        sorted.sort_unstable();
+        assert!(sorted.windows(2).all(|w| w[0] != w[1]), "level {k} has a triangle twice");
+        let surface = Surface { positions: m.positions.clone(), triangles: m.triangles.clone() };
+        assert!(surface.volume() > 0.0, "level {k} is inside out");
+        assert_eq!(level.texture.dimensions(), (options.texture_size[k], options.texture_size[k]));
+        assert!(level.error.is_finite());
+        assert!(k == 0 || level.error_to_coarser > model.levels[k - 1].error_to_coarser);
+    }
+}
+
+/// (largest distance of the mesh from the scene's surface, largest distance of the scene's surface from the mesh).
+fn hausdorff(mesh: &Mesh, scene: &Scene) -> (f32, f32) {
+    let off = mesh.positions.iter().map(|p| (scene.distance)(*p).abs()).fold(0.0, f32::max);
+    let bvh = Bvh::new(&mesh.positions, &mesh.triangles);
+    (off, farthest(&scenes::sampled(scene, 60).positions, &bvh).0)
+}
+
+#[test]
+fn a_ball_keeps_its_shape_in_all_levels() {
+    let (scene, options) = (scenes::sphere(0.8), quick());
+    let model = made(&scene, &options);
+    check(&model, &options);
+    for (level, bound) in model.levels.iter().zip([0.05, 0.05, 0.06, 0.12]) {
+        let (off, missing) = hausdorff(&level.mesh, &scene);
+        assert!(off < bound && missing < bound, "{off} {missing} for {bound}");
+    }
+    let volume = model.surface.volume();
+    let truth = 4.0 / 3.0 * std::f64::consts::PI * 0.512;
+    assert!((volume - truth).abs() < 0.03 * truth, "{volume} for {truth}");
+}
+
+#[test]
+fn a_coloured_box_has_each_side_in_its_colour() {
+    let (scene, options) = (scenes::boxed(0.7, 0.5, 0.3), quick());
+    let model = made(&scene, &options);
+    check(&model, &options);
+    for (k, level) in model.levels.iter().enumerate() {
+        let (off, missing) = hausdorff(&level.mesh, &scene);
+        assert!(off < 0.035 && missing < 0.035, "level {k}: {off} {missing}");
+        for axis in 0..3 {
+            for sign in [-1.0, 1.0] {
+                let mut side = Vec3::ZERO;
+                side[axis] = sign;
+                let camera = Camera::look_at(side * 4.0, Vec3::ZERO, 0.5, 48);
+                let picture = raster(&level.mesh, Some(&level.texture), &camera, [128; 3], 1);
+                let expected = scenes::by_side(side).map(|c| (c * 255.0) as u8);
+                // The middle of the side: well inside its outline.
+                for (x, y) in [(24, 24), (21, 22), (27, 26)] {
+                    let found = picture.get_pixel(x, y).0;
+                    assert!(
+                        found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) < 16),
+                        "level {k} side {side}: {found:?} for {expected:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_thin_plate_survives_on_both_sides() {
+    for thickness in [0.004, 0.03] {
+        let (scene, options) = (scenes::plate(thickness), quick());
+        let model = made(&scene, &options);
+        check(&model, &options);
+        let (off, missing) = hausdorff(&model.levels[0].mesh, &scene);
+        assert!(off < 0.04 && missing < 0.05, "{thickness}: {off} {missing}");
+    }
+}
+
+#[test]
+fn a_car_keeps_wheels_mast_and_the_gap_under_it() {
+    let (scene, options) = (scenes::car(), quick());
+    let model = made(&scene, &options);
+    check(&model, &options);
+    let (off, missing) = hausdorff(&model.levels[0].mesh, &scene);
+    assert!(off < 0.06 && missing < 0.06, "{off} {missing}");
+    // Stands flat.
+    let low = model.levels[0].mesh.bounds().0.z;
+    assert!((low + 0.41).abs() < 0.04, "{low}");
+    let on_ground = model.surface.positions.iter().filter(|p| (p.z - low).abs() < 1e-5).count();
+    assert!(on_ground > 8, "{on_ground}");
+}
+
+#[test]
+fn two_balls_stay_and_run_twice_is_the_same() {
+    let (scene, options) = (scenes::two_spheres(), quick());
+    let model = made(&scene, &options);
+    check(&model, &options);
+    let (lo, hi) = model.levels[3].mesh.bounds();
+    assert!(lo.x < -0.8 && hi.x > 0.8);
+    let again = made(&scene, &options);
+    for (a, b) in model.levels.iter().zip(&again.levels) {
+        assert!(a.mesh == b.mesh && a.texture == b.texture && a.error == b.error);
+    }
+}
+
+#[test]
+fn the_photo_wins_where_it_sees() {
+    let (scene, options) = (scenes::boxed(0.6, 0.6, 0.6), quick());
+    // From +x, a photo all black: only that side turns black.
+    let camera = Camera::look_at(Vec3::X * 3.9, Vec3::ZERO, 0.52, 128);
+    let mask = scene.render(&camera).alpha;
+    let color = vec![[0.0; 3]; mask.len()];
+    let photo = PhotoView { camera, color: &color, mask: &mask };
+    let model = build(&|c| scene.render(c), Some(&photo), &options, &Silent).unwrap();
+    for level in &model.levels {
+        assert!(level.seen > 0.1 && level.seen < 0.2, "{}", level.seen);
+        let at = |side: Vec3| {
+            let camera = Camera::look_at(side * 4.0, Vec3::ZERO, 0.5, 48);
+            raster(&level.mesh, Some(&level.texture), &camera, [128; 3], 1).get_pixel(24, 24).0
+        };
+        assert!(at(Vec3::X).iter().all(|c| *c < 12), "{:?}", at(Vec3::X));
+        let other = scenes::by_side(-Vec3::X).map(|c| (c * 255.0) as u8);
+        assert!(at(-Vec3::X).iter().zip(other).all(|(a, b)| a.abs_diff(b) < 16));
+    }
+}
+
+#[test]
+fn lattices_fit_small_caps() {
+    // Three crossing grids of bars: dozens of handles.
+    let bars = |a: f32, b: f32| {
+        let near = |v: f32| ((v * 4.0).round() / 4.0).clamp(-0.5, 0.5) - v;
+        near(a).abs().max(near(b).abs()) - 0.035
+    };
+    let scene = Scene {
+        distance: Box::new(move |p| {
+            let d = bars(p.x, p.y).min(bars(p.y, p.z)).min(bars(p.x, p.z));
+            d.max(p.abs().max_element() - 0.54) * 0.9
+        }),
+        color: Box::new(|_, n| scenes::by_side(n)),
+    };
+    let options = quick();
+    check(&made(&scene, &options), &options);
+}
+
+#[test]
+fn poor_input_is_an_error_or_a_model_and_never_a_panic() {
+    let options = Options { levels: 2, ..quick() };
+    let error = build(&|c| scenes::empty().render(c), None, &options, &Silent).unwrap_err();
+    assert!(error.to_string().contains("subject"), "{error}");
+    for scene in [scenes::sphere(0.03), scenes::sphere(0.005), scenes::boxed(0.7, 0.7, 0.0005), scenes::sphere(1.05)] {
+        match build(&|c| scene.render(c), None, &options, &Silent) {
+            Ok(model) => check(&model, &options),
+            Err(error) => assert!(!error.found.is_empty()),
+        }
+    }
+    // Full of NaN; and views of the wrong length.
+    let nan = |c: &Camera| {
+        let n = (c.width * c.height) as usize;
+        View { camera: *c, color: vec![[f32::NAN; 3]; n], alpha: vec![f32::NAN; n], depth: vec![f32::NAN; n] }
+    };
+    assert!(build(&nan, None, &options, &Silent).is_err());
+    let short = |c: &Camera| View { camera: *c, color: vec![], alpha: vec![], depth: vec![] };
+    assert!(build(&short, None, &options, &Silent).unwrap_err().found.contains('0'));
+    let bad = Options { texture_size: [1000, 512, 256, 128], ..quick() };
+    assert!(build(&nan, None, &bad, &Silent).unwrap_err().subject.contains("texture"));
+    let upside = Camera { rotation: Mat3::ZERO, ..Camera::look_at(Vec3::X, Vec3::ZERO, 0.5, 4) };
+    let photo = PhotoView { camera: upside, color: &[[0.0; 3]; 3], mask: &[1.0; 16] };
+    assert!(build(&nan, Some(&photo), &options, &Silent).unwrap_err().subject.contains("photo"));
+}
+
+/// A depth error that differs from view to view and from place to place, as soft Gaussians make it.
+fn uneven(scene: &Scene, camera: &Camera, size: f32) -> View {
+    let mut view = scene.render(camera);
+    let seed = camera.position();
+    for (i, z) in view.depth.iter_mut().enumerate() {
+        let (x, y) = (i as u32 % camera.width, i as u32 / camera.width);
+        let (x, y) = (x as f32 / camera.width as f32, y as f32 / camera.width as f32);
+        let wave = (25.0 * x + 9.0 * seed.x).sin() * (21.0 * y + 7.0 * seed.y).sin() + (5.0 * seed.z + 3.0 * x).sin();
+        if *z > 0.0 {
+            *z += size * (wave + 1.0);
+        }
+    }
+    view
+}
+
+#[test]
+fn views_that_disagree_make_one_smooth_solid() {
+    let (scene, options) = (scenes::sphere(0.7), quick());
+    let model = build(&|c| uneven(&scene, c, 0.03), None, &options, &Silent).unwrap();
+    check(&model, &options);
+    let area = model.surface.area() / (4.0 * std::f64::consts::PI * 0.49);
+    assert!((0.9..1.1).contains(&area), "{area}");
+    let (off, missing) = hausdorff(&model.levels[0].mesh, &scene);
+    assert!(off < 0.09 && missing < 0.09, "{off} {missing}");
+    // Euler characteristic 2: one part, no handles.
+    let s = &model.surface;
+    assert_eq!(s.positions.len() as i64 - s.triangles.len() as i64 / 2, 2);
+}
+
+#[test]
+fn an_interrupt_stops_it() {
+    struct Stopped;
+    impl Progress for Stopped {
+        fn begin(&self, _: &'static str, _: u64) {}
+        fn step(&self, _: u64) {}
+        fn cancelled(&self) -> bool {
+            true
+        }
+    }
+    let scene = scenes::sphere(0.5);
+    let error = build(&|c| scene.render(c), None, &quick(), &Stopped).unwrap_err();
+    assert_eq!(error.kind, crate::Kind::Cancelled);
+}

@@ -1,0 +1,275 @@
+//! Charts into one square texture: their true outlines, bottom-left first fit, the largest scale that fits.
+
+use super::unwrap::{Chart, cells_inside};
+use crate::{Error, Result};
+use glam::Vec2;
+use rayon::prelude::*;
+
+/// Texels kept free around each chart; two neighbours are twice as far apart.
+pub const PADDING: f32 = 1.5;
+
+/// Where each chart lies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Atlas {
+    /// Texture coordinates of each chart's faces' corners: 0..1, origin lower left, v up.
+    pub uv: Vec<Vec<[Vec2; 3]>>,
+    /// Texels along one scene unit.
+    pub scale: f32,
+}
+
+/// Rows of bits, 64 cells a word.
+struct Bits {
+    width: usize,
+    height: usize,
+    words: usize,
+    rows: Vec<u64>,
+}
+
+impl Bits {
+    fn new(width: usize, height: usize) -> Self {
+        let words = width.div_ceil(64);
+        Bits { width, height, words, rows: vec![0; words * height] }
+    }
+    fn set(&mut self, x: usize, y: usize) {
+        self.rows[y * self.words + x / 64] |= 1 << (x % 64);
+    }
+    fn get(&self, x: usize, y: usize) -> bool {
+        self.rows[y * self.words + x / 64] >> (x % 64) & 1 == 1
+    }
+    fn count(&self) -> usize {
+        self.rows.iter().map(|w| w.count_ones() as usize).sum()
+    }
+    fn transposed(&self) -> Bits {
+        let mut out = Bits::new(self.height, self.width);
+        for y in 0..self.height {
+            for x in 0..self.width {
+                if self.get(x, y) {
+                    out.set(y, x);
+                }
+            }
+        }
+        out
+    }
+    /// The last cell of row `y` taken both here and by `other`'s row `oy` shifted right by `x`.
+    fn last_clash(&self, y: usize, other: &Bits, oy: usize, x: usize) -> Option<usize> {
+        let row = &self.rows[y * self.words..(y + 1) * self.words];
+        let shape = &other.rows[oy * other.words..(oy + 1) * other.words];
+        let (skip, bit) = (x / 64, x % 64);
+        for w in (0..=other.words).rev() {
+            let Some(taken) = row.get(w + skip) else { continue };
+            let low = if w < other.words { shape[w] << bit } else { 0 };
+            let high = if w > 0 && bit > 0 { shape[w - 1] >> (64 - bit) } else { 0 };
+            let clash = taken & (low | high);
+            if clash != 0 {
+                return Some((w + skip) * 64 + 63 - clash.leading_zeros() as usize);
+            }
+        }
+        None
+    }
+    fn add(&mut self, other: &Bits, x: usize, y: usize) {
+        for oy in 0..other.height {
+            for ox in 0..other.width {
+                if other.get(ox, oy) {
+                    self.set(x + ox, y + oy);
+                }
+            }
+        }
+    }
+    /// The lowest, then leftmost place where `shape` fits.
+    fn place(&self, shape: &Bits) -> Option<(usize, usize)> {
+        if shape.width > self.width || shape.height > self.height {
+            return None;
+        }
+        for y in 0..=self.height - shape.height {
+            let mut x = 0;
+            'next: while x + shape.width <= self.width {
+                for oy in 0..shape.height {
+                    if let Some(taken) = self.last_clash(y + oy, shape, oy, x) {
+                        // Until the run of cells that hit it has passed, nothing can fit.
+                        let mut start = taken - x;
+                        while start > 0 && shape.get(start - 1, oy) {
+                            start -= 1;
+                        }
+                        x = taken - start + 1;
+                        continue 'next;
+                    }
+                }
+                return Some((x, y));
+            }
+        }
+        None
+    }
+}
+
+/// Packs `charts` into a texture of `size`² texels.
+///
+/// Errors: `Usage` when there are more charts than the texture has room for.
+pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
+    let cell = (size / 256).max(1) as f32;
+    let area: f32 =
+        charts.iter().flat_map(|c| &c.corners).map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
+    let whole = (size as f32).powi(2) / area.max(1e-12);
+    // Fill shares: the largest that fits, to within two hundredths.
+    let (mut fits, mut fails) = (None, 0.97f32);
+    let mut low = 0.0f32;
+    let mut fill = 0.68f32;
+    for _ in 0..12 {
+        let scale = (whole * fill).sqrt();
+        match place_all(charts, size, cell, scale) {
+            Some(places) => {
+                fits = Some((scale, places));
+                low = fill;
+            }
+            None => fails = fill,
+        }
+        if fits.is_some() && fails - low < 0.02 {
+            break;
+        }
+        fill = if fits.is_some() { (low + fails) / 2.0 } else { fails * 0.7 };
+    }
+    let Some((scale, places)) = fits else {
+        return Err(Error::usage("texture")
+            .expected(format!("room for {} charts", charts.len()))
+            .found(format!("{size} × {size} texels"))
+            .advice("Use a larger texture or fewer levels of detail."));
+    };
+    let uv = charts
+        .iter()
+        .zip(places)
+        .map(|(chart, place)| {
+            let to_uv = |p: Vec2| {
+                let p = if place.turned { Vec2::new(p.y, p.x) } else { p };
+                let p = (p * scale + Vec2::splat(PADDING) + place.at) / size as f32;
+                Vec2::new(p.x, 1.0 - p.y)
+            };
+            chart.corners.iter().map(|t| t.map(to_uv)).collect()
+        })
+        .collect();
+    Ok(Atlas { uv, scale })
+}
+
+#[derive(Clone, Copy, Default)]
+struct Place {
+    /// Texels.
+    at: Vec2,
+    /// x and y exchanged.
+    turned: bool,
+}
+
+/// Largest first by different notions of large, then slightly shuffled: a bad start rarely stays bad in all of them.
+fn orders(shapes: &[&Bits]) -> Vec<Vec<usize>> {
+    let mut state = 0x2545_f491_u32;
+    (0..12)
+        .map(|attempt| {
+            let mut order: Vec<(f32, usize)> = shapes
+                .iter()
+                .enumerate()
+                .map(|(i, s)| {
+                    let (w, h) = (s.width as f32, s.height as f32);
+                    let large = match attempt % 4 {
+                        0 => w.max(h),
+                        1 => (w * h).sqrt(),
+                        2 => w.min(h),
+                        _ => w + h,
+                    };
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    let noise = if attempt < 4 { 0.0 } else { (state >> 8) as f32 / (1 << 24) as f32 };
+                    (large * (1.0 + 0.5 * noise), i)
+                })
+                .collect();
+            order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            order.into_iter().map(|(_, i)| i).collect()
+        })
+        .collect()
+}
+
+fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<Place>> {
+    let shapes: Vec<[Bits; 2]> = charts
+        .iter()
+        .map(|c| {
+            let upright = outline(c, scale, cell);
+            let turned = upright.transposed();
+            [upright, turned]
+        })
+        .collect();
+    let upright: Vec<&Bits> = shapes.iter().map(|s| &s[0]).collect();
+    let cells = (size as f32 / cell) as usize;
+    if upright.iter().map(|s| s.count()).sum::<usize>() > cells * cells {
+        return None;
+    }
+    orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells, cell))
+}
+
+fn place_in_order(shapes: &[[Bits; 2]], order: &[usize], cells: usize, cell: f32) -> Option<Vec<Place>> {
+    let mut atlas = Bits::new(cells, cells);
+    let mut places = vec![Place::default(); shapes.len()];
+    for &i in order {
+        let [upright, turned] = &shapes[i];
+        let [a, b] = [atlas.place(upright), atlas.place(turned)];
+        // The one that ends lower.
+        let top = |p: Option<(usize, usize)>, shape: &Bits| p.map_or(usize::MAX, |(_, y)| y + shape.height);
+        let take_turned = top(b, turned) < top(a, upright);
+        let (shape, (x, y)) = if take_turned { (turned, b?) } else { (upright, a?) };
+        atlas.add(shape, x, y);
+        places[i] = Place { at: Vec2::new(x as f32, y as f32) * cell, turned: take_turned };
+    }
+    Some(places)
+}
+
+/// Cells that a chart and its padding touch.
+fn outline(chart: &Chart, scale: f32, cell: f32) -> Bits {
+    let border = Vec2::splat(PADDING);
+    let extent = (chart.size * scale + 2.0 * border) / cell;
+    let (w, h) = (extent.x.ceil().max(1.0) as usize, extent.y.ceil().max(1.0) as usize);
+    let mut bits = Bits::new(w, h);
+    let reach = PADDING / cell + std::f32::consts::FRAC_1_SQRT_2;
+    for t in &chart.corners {
+        let t = t.map(|p| (p * scale + border) / cell);
+        cells_inside(t, w, h, -reach, |x, y| bits.set(x, y));
+        // A face that is a line when flat covers no cell centre, but its corners need room.
+        for p in t {
+            bits.set((p.x as usize).min(w - 1), (p.y as usize).min(h - 1));
+        }
+    }
+    bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{scenes, unwrap};
+    use super::*;
+
+    #[test]
+    fn charts_fit_apart_and_use_the_texture() {
+        for (scene, least) in [(scenes::boxed(0.6, 0.4, 0.3), 0.6), (scenes::car(), 0.55), (scenes::sphere(0.9), 0.6)] {
+            let surface = scenes::sampled(&scene, 48);
+            let charts = unwrap::charts(&surface, &unwrap::FLAT, 4e5);
+            for size in [128u32, 512, 1024] {
+                let atlas = pack(&charts, size).unwrap();
+                let n = size as usize;
+                let mut owner = vec![u32::MAX; n * n];
+                for (c, faces) in atlas.uv.iter().enumerate() {
+                    for t in faces {
+                        assert!(t.iter().all(|p| p.min_element() > 0.0 && p.max_element() < 1.0));
+                        let t = t.map(|p| Vec2::new(p.x, 1.0 - p.y) * size as f32);
+                        cells_inside(t, n, n, -1.0, |x, y| {
+                            let slot = &mut owner[y * n + x];
+                            assert!(*slot == u32::MAX || *slot == c as u32, "charts closer than 2 texels");
+                            *slot = c as u32;
+                        });
+                    }
+                }
+                let area: f32 =
+                    atlas.uv.iter().flatten().map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
+                assert!(size < 512 || area >= least, "{area} of {size}² for {} charts", charts.len());
+            }
+        }
+    }
+
+    #[test]
+    fn more_charts_than_room_is_an_error() {
+        let one = Chart { faces: vec![0], corners: vec![[Vec2::ZERO, Vec2::X, Vec2::Y]], size: Vec2::ONE };
+        let error = pack(&vec![one; 400], 16).unwrap_err();
+        assert!(error.found.contains("16"));
+    }
+}

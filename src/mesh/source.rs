@@ -1,0 +1,160 @@
+//! Pictures to take colours from: what they see of a point, and how far they may be trusted.
+
+use super::bake::Texel;
+use super::color::Linear;
+use super::raster::Seen;
+use super::{PhotoView, View};
+use crate::splat::Camera;
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+/// A picture to take colours from, ready to be asked.
+pub struct Source {
+    camera: Camera,
+    eye: Vec3,
+    /// Linear light.
+    color: Vec<[f32; 3]>,
+    /// How far each pixel may be trusted, 0..1.
+    trust: Vec<f32>,
+    /// The nearest surface around each pixel.
+    nearest: Vec<f32>,
+    /// How far behind it a point may lie and still be seen, beside what pixels and slopes make.
+    slack: f32,
+}
+
+impl Source {
+    /// Position in the picture and cosine of the view on `texel`; None when it is hidden or looks away.
+    pub fn sees(&self, texel: &Texel) -> Option<(Vec2, f32)> {
+        let c = &self.camera;
+        let p = c.rotation * texel.position + c.translation;
+        let to_eye = (self.eye - texel.position).normalize_or_zero();
+        // Bumps of single faces say little; the smooth normal alone would let back sides in.
+        let straight = if texel.face.dot(to_eye) > 0.05 { (texel.face + texel.normal).dot(to_eye) / 2.0 } else { 0.0 };
+        if straight < 0.1 || p.z <= 0.01 {
+            return None;
+        }
+        let at = Vec2::new(c.fx * p.x / p.z + c.cx, c.fy * p.y / p.z + c.cy);
+        if !(at.x >= 1.0 && at.y >= 1.0 && at.x < c.width as f32 - 1.0 && at.y < c.height as f32 - 1.0) {
+            return None;
+        }
+        let nearest = self.nearest[at.y as usize * c.width as usize + at.x as usize];
+        let pixel = p.z / c.fx;
+        let slope = (1.0 - straight * straight).sqrt() / straight;
+        let tolerance = 2.5 * pixel * (1.0 + slope.min(5.0)) + self.slack;
+        (nearest > 0.0 && p.z <= nearest + tolerance).then_some((at, straight))
+    }
+
+    /// Bilinear colour and trust.
+    pub fn at(&self, at: Vec2) -> ([f32; 3], f32) {
+        let w = self.camera.width as usize;
+        let q = at - Vec2::splat(0.5);
+        let (x, y) = (q.x as usize, q.y as usize);
+        let (tx, ty) = (q.x - x as f32, q.y - y as f32);
+        let i = y * w + x;
+        let mut color = [0f32; 3];
+        let (mut sum, mut trust) = (0f32, 0f32);
+        for (j, share) in
+            [(i, (1.0 - tx) * (1.0 - ty)), (i + 1, tx * (1.0 - ty)), (i + w, (1.0 - tx) * ty), (i + w + 1, tx * ty)]
+        {
+            // What is not trusted gives no colour.
+            let k = share * (self.trust[j] + 1e-6);
+            for (c, v) in color.iter_mut().zip(self.color[j]) {
+                *c += k * v;
+            }
+            sum += k;
+            trust += share * self.trust[j];
+        }
+        (color.map(|c| c / sum.max(1e-12)), trust)
+    }
+}
+
+/// The least of what is there (> 0) in the square of `reach` pixels around each pixel.
+fn nearest_around(depth: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
+    let least = |values: &mut dyn Iterator<Item = f32>| {
+        let m = values.filter(|d| *d > 0.0).fold(f32::INFINITY, f32::min);
+        if m.is_finite() { m } else { 0.0 }
+    };
+    let mut rows = vec![0f32; depth.len()];
+    rows.par_chunks_mut(width.max(1)).zip(depth.par_chunks(width.max(1))).for_each(|(out, row)| {
+        for (x, out) in out.iter_mut().enumerate() {
+            let window = &row[x.saturating_sub(reach)..(x + reach + 1).min(width)];
+            *out = least(&mut window.iter().copied());
+        }
+    });
+    let mut result = vec![0f32; depth.len()];
+    result.par_chunks_mut(width.max(1)).enumerate().for_each(|(y, out)| {
+        let (from, to) = (y.saturating_sub(reach), (y + reach + 1).min(height));
+        for (x, out) in out.iter_mut().enumerate() {
+            *out = least(&mut (from..to).map(|y| rows[y * width + x]));
+        }
+    });
+    result
+}
+
+/// A rendered view over the mesh that it is asked about.
+pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], linear: &Linear) -> Source {
+    let (w, h) = (mesh_seen.width, mesh_seen.height);
+    let solid = |i: usize| view.alpha[i] >= 0.5 && view.depth[i] > 0.0;
+    // Both the mesh and what was rendered may hide a point.
+    let depth: Vec<f32> = (0..w * h)
+        .map(|i| match (mesh_seen.depth[i], solid(i)) {
+            (m, true) if m > 0.0 => m.min(view.depth[i]),
+            (m, _) => m,
+        })
+        .collect();
+    let trust = (0..w * h)
+        .map(|i| {
+            if !solid(i) || mesh_seen.depth[i] <= 0.0 {
+                return 0.0;
+            }
+            let behind = (view.depth[i] - mesh_seen.depth[i]) / 0.08;
+            ((view.alpha[i] - 0.5) / 0.45).clamp(0.0, 1.0).powi(2) * (1.0 - behind).clamp(0.02, 1.0)
+        })
+        .collect();
+    let color = (0..w * h)
+        .map(|i| {
+            let a = view.alpha[i].clamp(0.5, 1.0);
+            std::array::from_fn(|k| linear.of((view.color[i][k] - (1.0 - a) * background[k]) / a))
+        })
+        .collect();
+    let eye = view.camera.position();
+    Source { camera: view.camera, eye, color, trust, nearest: nearest_around(&depth, w, h, 1), slack: 0.006 }
+}
+
+/// The photo over the mesh that it is asked about.
+pub fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Source {
+    let (w, h) = (mesh_seen.width, mesh_seen.height);
+    let reach = (w / 170).max(1);
+    // Inside the mask by `reach` pixels or more: full trust; none at its edge.
+    let off: Vec<f32> = photo.mask.iter().map(|m| (1.0 - m).clamp(0.0, 1.0) + 1e-3).collect();
+    let inverse: Vec<f32> = off.iter().map(|m| 1.002 - m).map(|m| m.max(1e-3)).collect();
+    let eroded = nearest_around(&inverse, w, h, reach);
+    let trust = box_mean(&eroded, w, h, reach).iter().map(|m| ((m - 0.5) * 2.0).clamp(0.0, 1.0)).collect();
+    let color = photo.color.iter().map(|c| c.map(|v| linear.of(v))).collect();
+    Source {
+        camera: photo.camera,
+        eye: photo.camera.position(),
+        color,
+        trust,
+        nearest: nearest_around(&mesh_seen.depth, w, h, reach),
+        // What hides so little is a bump that should not be there.
+        slack: 0.03,
+    }
+}
+
+fn box_mean(values: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
+    (0..width * height)
+        .into_par_iter()
+        .map(|i| {
+            let (x, y) = (i % width, i / width);
+            let (mut sum, mut count) = (0.0, 0);
+            for y in y.saturating_sub(reach)..(y + reach + 1).min(height) {
+                for x in x.saturating_sub(reach)..(x + reach + 1).min(width) {
+                    sum += values[y * width + x];
+                    count += 1;
+                }
+            }
+            sum / count as f32
+        })
+        .collect()
+}

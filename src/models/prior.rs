@@ -1,0 +1,66 @@
+//! The weights in the binary: the project's own two networks, trained on procedural scenes only.
+
+use crate::{Error, Result};
+use sha2::{Digest, Sha256};
+
+/// A pinned set of weights.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// As records name it.
+    pub id: &'static str,
+    pub version: &'static str,
+    /// Lower-case hexadecimal.
+    pub sha256: &'static str,
+    pub onnx: &'static [u8],
+}
+
+/// Photo → subject mask and inverse depth.
+pub const SCENE: Weights = Weights {
+    id: "orb-scene-net",
+    version: "0.1",
+    sha256: "e72becb31b636c55034b15c9078f513734119042e007402210054352306a7199",
+    onnx: include_bytes!("../../prior/scene.onnx"),
+};
+
+/// Cropped subject → Gaussians and the camera's elevation.
+pub const SPLAT: Weights = Weights {
+    id: "orb-splat-net",
+    version: "0.1",
+    sha256: "d222e65539eb7365a14e64ccc16eb04d428d5860c502d804650c0838161cc8e6",
+    onnx: include_bytes!("../../prior/splat.onnx"),
+};
+
+impl Weights {
+    /// Hashes the bytes that will be run.
+    ///
+    /// # Errors
+    /// An integrity error when they are not the pinned ones.
+    pub fn verified(&self) -> Result<&'static [u8]> {
+        let found = hex::encode(Sha256::digest(self.onnx));
+        if found != self.sha256 {
+            return Err(Error::integrity(format!("built-in weights {} {}", self.id, self.version))
+                .expected(format!("SHA-256 {}", self.sha256))
+                .found(found)
+                .advice("The program file is damaged or was altered; install it again."));
+        }
+        Ok(self.onnx)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pins_hold() {
+        for weights in [SCENE, SPLAT] {
+            assert_eq!(weights.verified().unwrap().len(), weights.onnx.len());
+        }
+    }
+
+    #[test]
+    fn altered_weights_are_refused() {
+        let altered = Weights { onnx: &SCENE.onnx[1..], ..SCENE };
+        assert_eq!(altered.verified().unwrap_err().kind, crate::Kind::Integrity);
+    }
+}

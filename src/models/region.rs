@@ -1,0 +1,207 @@
+//! Connected regions of a mask.
+
+use crate::photo::Plane;
+
+/// A 4-connected region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    pub pixels: usize,
+    /// Sum of the weights given to [`regions`].
+    pub weight: f64,
+    pub touches_border: bool,
+}
+
+/// x0, y0, x1, y1 in pixels; x1 and y1 are one past the last.
+pub type Bounds = [usize; 4];
+
+/// Labels 1.. for each region of pixels where `inside`, 0 elsewhere, in scan order.
+pub fn regions(
+    width: usize,
+    height: usize,
+    inside: impl Fn(usize) -> bool,
+    weight: impl Fn(usize) -> f64,
+) -> (Vec<u32>, Vec<Region>) {
+    let mut labels = vec![0u32; width * height];
+    let mut found = Vec::new();
+    let mut stack = Vec::new();
+    for start in 0..width * height {
+        if labels[start] != 0 || !inside(start) {
+            continue;
+        }
+        let label = found.len() as u32 + 1;
+        let mut region = Region { pixels: 0, weight: 0.0, touches_border: false };
+        labels[start] = label;
+        stack.push(start);
+        while let Some(i) = stack.pop() {
+            let (x, y) = (i % width, i / width);
+            region.pixels += 1;
+            region.weight += weight(i);
+            region.touches_border |= x == 0 || y == 0 || x + 1 == width || y + 1 == height;
+            let mut visit = |j: usize| {
+                if labels[j] == 0 && inside(j) {
+                    labels[j] = label;
+                    stack.push(j);
+                }
+            };
+            if x > 0 {
+                visit(i - 1);
+            }
+            if x + 1 < width {
+                visit(i + 1);
+            }
+            if y > 0 {
+                visit(i - width);
+            }
+            if y + 1 < height {
+                visit(i + width);
+            }
+        }
+        found.push(region);
+    }
+    (labels, found)
+}
+
+/// Keeps the region above `threshold` with the most mask near the centre (a Gaussian of a quarter of the frame), with
+/// the soft fringe up to `fringe` pixels around it; the rest becomes 0. Nothing above the threshold: all 0.
+pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize) {
+    let (w, h) = (mask.width, mask.height);
+    let bell = |position: usize, size: usize| {
+        let d = ((position as f64 + 0.5) / size as f64 - 0.5) / 0.25;
+        (-0.5 * d * d).exp()
+    };
+    let (across, down): (Vec<f64>, Vec<f64>) =
+        ((0..w).map(|x| bell(x, w)).collect(), (0..h).map(|y| bell(y, h)).collect());
+    let (labels, found) =
+        regions(w, h, |i| mask.data[i] > threshold, |i| f64::from(mask.data[i]) * across[i % w] * down[i / w]);
+    let mut best = 0;
+    for (label, region) in (1u32..).zip(&found) {
+        if best == 0 || region.weight > found[best as usize - 1].weight {
+            best = label;
+        }
+    }
+    let near = dilated(w, h, fringe, |i| best != 0 && labels[i] == best);
+    mask.data.iter_mut().zip(near).for_each(|(v, keep)| *v = if keep { *v } else { 0.0 });
+}
+
+/// A square dilation, separable.
+pub(super) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+    let spread = |count: usize, line: &dyn Fn(usize) -> bool, set: &mut dyn FnMut(usize)| {
+        let mut reach = 0; // one past the last position already set
+        for i in 0..count {
+            if line(i) {
+                (i.saturating_sub(radius).max(reach)..(i + radius + 1).min(count)).for_each(&mut *set);
+                reach = (i + radius + 1).min(count);
+            }
+        }
+    };
+    let mut rows = vec![false; w * h];
+    for y in 0..h {
+        spread(w, &|x| inside(y * w + x), &mut |x| rows[y * w + x] = true);
+    }
+    let mut out = vec![false; w * h];
+    for x in 0..w {
+        spread(h, &|y| rows[y * w + x], &mut |y| out[y * w + x] = true);
+    }
+    out
+}
+
+/// A square erosion; beyond the border all counts as inside.
+pub(super) fn eroded(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+    dilated(w, h, radius, |i| !inside(i)).into_iter().map(|outside| !outside).collect()
+}
+
+/// A box grown by `by` on every side, cut at the frame.
+pub fn grown(b: Bounds, by: usize, width: usize, height: usize) -> Bounds {
+    [b[0].saturating_sub(by), b[1].saturating_sub(by), (b[2] + by).min(width), (b[3] + by).min(height)]
+}
+
+/// Fills holes (regions ≤ 0.5 that do not reach the border): small ones, and those that the mask itself half believes in.
+/// Wide, clear holes are see-through parts and stay.
+pub fn fill_holes(mask: &mut Plane, small: usize) {
+    let (labels, holes) = regions(mask.width, mask.height, |i| mask.data[i] <= 0.5, |i| f64::from(mask.data[i]));
+    for (value, &label) in mask.data.iter_mut().zip(&labels) {
+        if label == 0 {
+            continue;
+        }
+        let hole = holes[label as usize - 1];
+        if !hole.touches_border && (hole.pixels <= small || hole.weight > 0.3 * hole.pixels as f64) {
+            *value = 1.0;
+        }
+    }
+}
+
+/// The smallest box around all pixels above `threshold`.
+pub fn bounds(mask: &Plane, threshold: f32) -> Option<Bounds> {
+    let mut b: Option<Bounds> = None;
+    for (i, _) in mask.data.iter().enumerate().filter(|(_, v)| **v > threshold) {
+        let (x, y) = (i % mask.width, i / mask.width);
+        let [x0, y0, x1, y1] = b.unwrap_or([x, y, x + 1, y + 1]);
+        b = Some([x0.min(x), y0.min(y), x1.max(x + 1), y1.max(y + 1)]);
+    }
+    b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(rows: &[&str]) -> Plane {
+        let data = rows.iter().flat_map(|r| r.bytes().map(|b| f32::from(b - b'0') / 9.0)).collect();
+        Plane { width: rows[0].len(), height: rows.len(), data }
+    }
+
+    #[test]
+    fn the_central_region_stays_with_its_fringe() {
+        let mut mask = picture(&["990000000", "990000000", "000294000", "000999000", "000494000", "000000000"]);
+        keep_central(&mut mask, 0.5, 1);
+        assert_eq!(mask, picture(&["000000000", "000000000", "000294000", "000999000", "000494000", "000000000"]));
+        let mut faint = picture(&["000", "030", "000"]);
+        keep_central(&mut faint, 0.5, 1);
+        assert!(faint.data.iter().all(|v| *v == 0.0));
+    }
+
+    #[test]
+    fn small_and_doubtful_holes_are_filled_and_clear_ones_stay() {
+        let mut mask = picture(&[
+            "00000000000000",
+            "09999999999990",
+            "09099449900090",
+            "09999449900090",
+            "09999999999990",
+            "00000000000000",
+        ]);
+        fill_holes(&mut mask, 1);
+        assert_eq!(
+            mask,
+            picture(&[
+                "00000000000000",
+                "09999999999990",
+                "09999999900090",
+                "09999999900090",
+                "09999999999990",
+                "00000000000000",
+            ])
+        );
+    }
+
+    #[test]
+    fn erosion_peels_what_dilation_adds() {
+        let square = |x: usize, y: usize, low: usize, high: usize| (low..high).contains(&x) && (low..high).contains(&y);
+        let small = eroded(20, 20, 2, |i| square(i % 20, i / 20, 5, 15));
+        assert!((0..400).all(|i| small[i] == square(i % 20, i / 20, 7, 13)));
+        let back = dilated(20, 20, 2, |i| small[i]);
+        assert!((0..400).all(|i| back[i] == square(i % 20, i / 20, 5, 15)));
+        assert!(eroded(9, 9, 3, |_| true).into_iter().all(|v| v));
+    }
+
+    #[test]
+    fn a_grown_box_stays_in_the_frame() {
+        assert_eq!(grown([1, 5, 8, 9], 3, 10, 20), [0, 2, 10, 12]);
+    }
+
+    #[test]
+    fn bounds_are_tight() {
+        assert_eq!(bounds(&picture(&["000", "009", "060"]), 0.5), Some([1, 1, 3, 3]));
+        assert_eq!(bounds(&picture(&["000"]), 0.5), None);
+    }
+}

@@ -1,0 +1,276 @@
+//! 3D from one view: the network that lifts the cropped subject to Gaussians.
+//!
+//! Canonical camera: OpenCV axes, 3.9 from the centre of the subject's bounding sphere of radius 1, 30° field of view.
+//! **Subject unit frame**, in which everything here is handed on: the same unit, origin at the sphere's centre, right-
+//! handed, Z up, +Y where the camera pointed (horizontally), +X to the photo's right.
+
+use super::align::fit_intrinsics;
+use super::scene::Subject;
+use super::{Graph, Port, Tensor, check_contract, take};
+use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
+use crate::splat::{Camera, Gaussians, SH_C0};
+use crate::{Error, Result};
+use glam::Vec3;
+use image::RgbImage;
+
+/// Of the network's square input.
+const SIZE: usize = 128;
+const COUNT: usize = 2 * SIZE * SIZE;
+/// The subject's bounding box takes this part of the crop's side.
+pub const FILL: f32 = 0.88;
+/// Eye to the subject's centre, in bounding-sphere radii.
+pub const DISTANCE: f32 = 3.9;
+/// Field of view, radians.
+pub const FOV: f32 = std::f32::consts::PI / 6.0;
+/// The crop is handed on at no more than this.
+const LARGEST_CROP: usize = 512;
+
+/// The subject in three dimensions, with the photo that it came from.
+#[derive(Clone, Debug)]
+pub struct OneView {
+    /// Subject unit frame.
+    pub gaussians: Gaussians,
+    /// Of the camera above the horizon, radians; from the network.
+    pub elevation: f32,
+    /// The camera that took `colour`: canonical pose, focal length and principal point fitted to the mask.
+    pub camera: Camera,
+    /// How well the Gaussians' silhouette meets the mask under `camera`: intersection over union.
+    pub silhouette_iou: f32,
+    /// The square crop, in photo pixels.
+    pub crop: Rect,
+    /// sRGB 0..1 of the crop, row-major, as the photo shows it (not composited); the size of `mask`.
+    pub colour: Vec<[f32; 3]>,
+    /// Subject, 0..1; square, between 128² and 512².
+    pub mask: Plane,
+}
+
+/// Runs the network on the crop around the subject.
+///
+/// # Errors
+/// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
+pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Result<OneView> {
+    check_contract(
+        "splat network",
+        graph,
+        &[Port::new("rgba", &[1, 4, SIZE, SIZE])],
+        &[
+            Port::new("position", &[1, COUNT, 3]),
+            Port::new("scale", &[1, COUNT, 3]),
+            Port::new("rotation", &[1, COUNT, 4]),
+            Port { name: "opacity".into(), shape: None },
+            Port::new("color", &[1, COUNT, 3]),
+            Port { name: "elevation".into(), shape: None },
+        ],
+    )?;
+    let crop = crop_around(subject);
+    let rgba = network_input(photo, subject, crop)?;
+    let mut outputs = graph.run(&[("rgba", &rgba)])?;
+    let canonical = Canonical {
+        position: take(&mut outputs, "position", 3 * COUNT)?,
+        scale: take(&mut outputs, "scale", 3 * COUNT)?,
+        rotation: take(&mut outputs, "rotation", 4 * COUNT)?,
+        opacity: take(&mut outputs, "opacity", COUNT)?,
+        color: take(&mut outputs, "color", 3 * COUNT)?,
+    };
+    // Trained on −6° to 52°; beyond that the guess is no better than the bound.
+    let elevation = take(&mut outputs, "elevation", 1)?[0].clamp(-0.2, 1.0);
+    let gaussians = canonical.to_subject_frame(elevation);
+    if gaussians.is_empty() {
+        return Err(Error::usage("photo")
+            .expected("a subject with a solid shape")
+            .found("nothing that the network could lift to three dimensions")
+            .advice("Use a sharper photo with the whole subject in view."));
+    }
+    let size = (crop.width.round() as usize).clamp(SIZE, LARGEST_CROP);
+    let mask = crop_mask(subject, crop, size);
+    let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &canonical_camera(elevation, size as u32), &mask);
+    let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
+    Ok(OneView { gaussians, elevation, camera, silhouette_iou, crop, colour, mask })
+}
+
+/// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.
+pub fn canonical_camera(elevation: f32, size: u32) -> Camera {
+    let eye = DISTANCE * Vec3::new(0.0, -elevation.cos(), elevation.sin());
+    Camera::look_at(eye, Vec3::ZERO, FOV, size)
+}
+
+/// The square, in photo pixels, that the subject's box fills to [`FILL`]; it may reach outside the photo.
+pub fn crop_around(subject: &Subject) -> Rect {
+    let [x0, y0, x1, y1] = subject.bounds.map(|v| v as f32);
+    let (sx, sy) = subject.scale;
+    let side = ((x1 - x0) * sx).max((y1 - y0) * sy) / FILL;
+    Rect { x: (x0 + x1) / 2.0 * sx - side / 2.0, y: (y0 + y1) / 2.0 * sy - side / 2.0, width: side, height: side }
+}
+
+fn crop_mask(subject: &Subject, crop: Rect, size: usize) -> Plane {
+    let (sx, sy) = subject.scale;
+    let rect = Rect { x: crop.x / sx, y: crop.y / sy, width: crop.width / sx, height: crop.height / sy };
+    sample_plane(&subject.mask, rect, size, size, Edge::Zero)
+}
+
+/// Planes red, green, blue on grey 0.5, and the mask.
+fn network_input(photo: &RgbImage, subject: &Subject, crop: Rect) -> Result<Tensor> {
+    let mask = crop_mask(subject, crop, SIZE);
+    let colour = sample_colour(photo, crop, SIZE, SIZE, Edge::Clamp);
+    let mut data = vec![0.0; 4 * SIZE * SIZE];
+    for (i, (pixel, &alpha)) in colour.iter().zip(&mask.data).enumerate() {
+        for (c, value) in pixel.iter().enumerate() {
+            data[c * SIZE * SIZE + i] = value * alpha + 0.5 * (1.0 - alpha);
+        }
+        data[3 * SIZE * SIZE + i] = alpha;
+    }
+    Tensor::new(&[1, 4, SIZE, SIZE], data)
+}
+
+/// As the network gives them: flat rows, canonical camera.
+struct Canonical {
+    position: Vec<f32>,
+    scale: Vec<f32>,
+    rotation: Vec<f32>,
+    opacity: Vec<f32>,
+    color: Vec<f32>,
+}
+
+impl Canonical {
+    /// Camera to subject: p = Rᵀ (p_camera − t), since p_camera = R p + t. What is all but clear is left out.
+    fn to_subject_frame(&self, elevation: f32) -> Gaussians {
+        let mut g = Gaussians::default();
+        let triple = |v: &[f32], i: usize| Vec3::from_slice(&v[3 * i..3 * i + 3]);
+        for (i, &opacity) in self.opacity.iter().enumerate() {
+            if opacity < 1.0 / 255.0 {
+                continue;
+            }
+            let opacity = opacity.min(0.999);
+            g.positions.push(triple(&self.position, i));
+            g.log_scales.push(triple(&self.scale, i).max(Vec3::splat(1e-6)).map(f32::ln));
+            let q = &self.rotation[4 * i..4 * i + 4];
+            g.rotations.push([q[0], q[1], q[2], q[3]]);
+            g.logit_opacities.push((opacity / (1.0 - opacity)).ln());
+            let mut sh = [[0.0; 3]; 16];
+            sh[0] = ((triple(&self.color, i) - 0.5) / SH_C0).to_array();
+            g.sh.push(sh);
+        }
+        let camera = canonical_camera(elevation, SIZE as u32);
+        g.transformed(camera.rotation.transpose(), 1.0, camera.position())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn single(position: [f32; 3], rotation: [f32; 4], opacity: f32) -> Canonical {
+        Canonical {
+            position: position.to_vec(),
+            scale: vec![0.1, 0.02, 0.03],
+            rotation: rotation.to_vec(),
+            opacity: vec![opacity],
+            color: vec![0.25, 0.5, 1.0],
+        }
+    }
+
+    fn lifted(position: [f32; 3], elevation: f32) -> Vec3 {
+        single(position, [1.0, 0.0, 0.0, 0.0], 0.5).to_subject_frame(elevation).positions[0]
+    }
+
+    #[test]
+    fn the_canonical_centre_is_the_origin() {
+        for degrees in [-10.0f32, 0.0, 25.0, 60.0] {
+            assert!(lifted([0.0, 0.0, DISTANCE], degrees.to_radians()).length() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn axes_are_those_of_the_subject_frame() {
+        let e = 0.4f32;
+        let right = lifted([1.0, 0.0, DISTANCE], e);
+        assert!((right - Vec3::X).length() < 1e-5, "photo's right is +X: {right}");
+        let forward = lifted([0.0, 0.0, DISTANCE + 1.0], e);
+        assert!((forward - Vec3::new(0.0, e.cos(), -e.sin())).length() < 1e-5, "forward projects on +Y: {forward}");
+        let up = lifted([0.0, -1.0, DISTANCE], e);
+        assert!(up.z > 0.9 * e.cos() && up.x.abs() < 1e-6, "up is up: {up}");
+        let eye = lifted([0.0, 0.0, 0.0], e);
+        assert!((eye - DISTANCE * Vec3::new(0.0, -e.cos(), e.sin())).length() < 1e-5);
+    }
+
+    #[test]
+    fn projection_by_the_camera_undoes_the_change_of_frame() {
+        let (e, p) = (0.3, Vec3::new(0.4, -0.2, 4.3));
+        let camera = canonical_camera(e, 128);
+        let back = camera.rotation * lifted(p.to_array(), e) + camera.translation;
+        assert!((back - p).length() < 1e-5);
+        // 30° across: at the distance of the centre the frame's edge lies at 3.9 · tan 15°.
+        let edge = camera.fx * (DISTANCE * 15f32.to_radians().tan()) / DISTANCE + camera.cx;
+        assert!((edge - 128.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn axes_of_a_gaussian_turn_with_the_frame() {
+        let e = 0.5f32;
+        // Longest along the canonical x turned by 90° about z: along the camera's down.
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let g = single([0.0, 0.0, DISTANCE], [half, 0.0, 0.0, half], 0.5).to_subject_frame(e);
+        let [w, x, y, z] = g.rotations[0];
+        let long = glam::Quat::from_xyzw(x, y, z, w) * Vec3::X;
+        let down = canonical_camera(e, 8).rotation.transpose() * Vec3::Y;
+        assert!((long - down).length() < 1e-5, "{long} {down}");
+        assert!((g.log_scales[0] - Vec3::new(0.1, 0.02, 0.03).map(f32::ln)).length() < 1e-5);
+    }
+
+    #[test]
+    fn colour_and_opacity_survive() {
+        let g = single([0.0, 0.0, 4.0], [1.0, 0.0, 0.0, 0.0], 0.7).to_subject_frame(0.0);
+        let shown = g.sh[0][0].map(|v| SH_C0 * v + 0.5);
+        assert!(shown.iter().zip([0.25, 0.5, 1.0]).all(|(a, b)| (a - b).abs() < 1e-6));
+        assert!((1.0 / (1.0 + (-g.logit_opacities[0]).exp()) - 0.7).abs() < 1e-6);
+        assert!(single([0.0; 3], [1.0, 0.0, 0.0, 0.0], 0.003).to_subject_frame(0.0).is_empty());
+        let solid = single([0.0; 3], [1.0, 0.0, 0.0, 0.0], 1.0).to_subject_frame(0.0);
+        assert!(solid.logit_opacities[0].is_finite());
+    }
+
+    #[test]
+    fn the_crop_holds_the_box_at_its_fill() {
+        let subject = Subject {
+            mask: Plane::new(100, 50, 0.0),
+            depth: Plane::new(100, 50, 0.0),
+            bounds: [20, 10, 60, 30],
+            scale: (4.0, 4.0),
+            from_cutout: false,
+        };
+        let crop = crop_around(&subject);
+        assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
+        assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
+        use crate::models::{Engine, Rten, prior, scene};
+        let bytes = include_bytes!("../../tests/data/container.jpg");
+        let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
+        let subject = {
+            let graph = Rten.load(prior::SCENE.verified().unwrap()).unwrap();
+            scene::subject(&photo.pixels, None, &*graph).unwrap()
+        };
+        let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
+        let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
+        assert!(
+            (view.elevation.to_degrees() - 15.0).abs() < 6.0,
+            "taken from 15°, guessed {}",
+            view.elevation.to_degrees()
+        );
+        assert!(view.silhouette_iou > 0.9, "{}", view.silhouette_iou);
+        assert_eq!((view.camera.width as usize, view.colour.len()), (view.mask.width, view.mask.data.len()));
+        let seen = crate::splat::render(&view.gaussians, &view.camera, [0.5; 3]);
+        let mut squares = 0.0;
+        for (i, shown) in seen.color.iter().enumerate() {
+            let a = view.mask.data[i];
+            squares +=
+                (0..3).map(|c| f64::from(shown[c] - (view.colour[i][c] * a + 0.5 * (1.0 - a))).powi(2)).sum::<f64>();
+        }
+        let psnr = -10.0 * (squares / (3 * seen.color.len()) as f64).log10();
+        assert!(psnr > 18.0, "{psnr} dB");
+        // Its bounding sphere is the unit, give or take; nothing lies under the far horizon.
+        let inside = view.gaussians.positions.iter().filter(|p| p.length() < 1.3).count();
+        assert!(inside as f32 > 0.95 * view.gaussians.len() as f32);
+    }
+}

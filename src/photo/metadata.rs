@@ -1,0 +1,155 @@
+//! EXIF 2.32: the few tags that a reconstruction can use.
+
+use exif::{In, Reader, Tag, Value};
+
+/// What the camera wrote beside the picture; absent tags stay `None`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exif {
+    /// Focal length in 35 mm equivalent, millimetres.
+    pub focal_35mm: Option<f64>,
+    /// Bearing of the optical axis, degrees clockwise from true north, [0, 360).
+    pub image_direction: Option<f64>,
+    /// The direction was relative to magnetic north (then `image_direction` is as written, uncorrected).
+    pub direction_is_magnetic: bool,
+}
+
+/// EXIF tag 0x0112: what must be done to the stored rows to see the picture upright.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Orientation {
+    #[default]
+    Upright,
+    FlipHorizontal,
+    Rotate180,
+    FlipVertical,
+    /// Mirrored about the main diagonal.
+    Transpose,
+    /// Clockwise.
+    Rotate90,
+    /// Mirrored about the other diagonal.
+    Transverse,
+    Rotate270,
+}
+
+impl Orientation {
+    /// Values outside 1–8 mean upright, as viewers do.
+    pub fn from_tag(value: u32) -> Self {
+        match value {
+            2 => Self::FlipHorizontal,
+            3 => Self::Rotate180,
+            4 => Self::FlipVertical,
+            5 => Self::Transpose,
+            6 => Self::Rotate90,
+            7 => Self::Transverse,
+            8 => Self::Rotate270,
+            _ => Self::Upright,
+        }
+    }
+}
+
+/// The diagonal of a 36 × 24 mm frame.
+const FULL_FRAME_DIAGONAL: f64 = 43.266_615_305_567_87;
+
+/// Reads a raw EXIF block (a TIFF structure). Damaged tags are skipped: a photo is not refused for its metadata.
+pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
+    let Ok(tags) =
+        Reader::new().continue_on_error(true).read_raw(block).or_else(|error| error.distill_partial_result(|_| ()))
+    else {
+        return Default::default();
+    };
+    let uint = |tag| tags.get_field(tag, In::PRIMARY).and_then(|f| f.value.get_uint(0));
+    let real = |tag| tags.get_field(tag, In::PRIMARY).and_then(|f| real(&f.value));
+    let focal_35mm = uint(Tag::FocalLengthIn35mmFilm)
+        .filter(|&focal| focal > 0)
+        .map(f64::from)
+        .or_else(|| {
+            let pixels = (f64::from(uint(Tag::PixelXDimension)?), f64::from(uint(Tag::PixelYDimension)?));
+            let per_unit = (real(Tag::FocalPlaneXResolution)?, real(Tag::FocalPlaneYResolution)?);
+            let unit_mm = match uint(Tag::FocalPlaneResolutionUnit).unwrap_or(2) {
+                2 => 25.4,
+                3 => 10.0,
+                _ => return None,
+            };
+            let diagonal = (pixels.0 / per_unit.0).hypot(pixels.1 / per_unit.1) * unit_mm;
+            Some(real(Tag::FocalLength)? * FULL_FRAME_DIAGONAL / diagonal)
+        })
+        .filter(|f| (4.0..=3000.0).contains(f));
+    let image_direction =
+        real(Tag::GPSImgDirection).filter(|d| (0.0..=360.0).contains(d)).map(|d| if d == 360.0 { 0.0 } else { d });
+    let direction_is_magnetic = image_direction.is_some()
+        && tags.get_field(Tag::GPSImgDirectionRef, In::PRIMARY).is_some_and(
+            |f| matches!(&f.value, Value::Ascii(text) if text.first().is_some_and(|t| t.starts_with(b"M"))),
+        );
+    let orientation = uint(Tag::Orientation).map(Orientation::from_tag).unwrap_or_default();
+    (Exif { focal_35mm, image_direction, direction_is_magnetic }, orientation)
+}
+
+fn real(value: &Value) -> Option<f64> {
+    let number = match value {
+        Value::Rational(v) => v.first()?.to_f64(),
+        Value::SRational(v) => v.first()?.to_f64(),
+        Value::Float(v) => f64::from(*v.first()?),
+        Value::Double(v) => *v.first()?,
+        other => f64::from(other.get_uint(0)?),
+    };
+    number.is_finite().then_some(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::photo::tests::exif_block;
+
+    fn rational(numerator: u32, denominator: u32) -> Vec<exif::Rational> {
+        vec![exif::Rational { num: numerator, denom: denominator }]
+    }
+
+    #[test]
+    fn focal_length_in_35_mm_is_taken_as_written() {
+        let (exif, _) = read(exif_block(&[
+            (Tag::FocalLengthIn35mmFilm, Value::Short(vec![28])),
+            (Tag::FocalLength, Value::Rational(rational(50, 10))),
+        ]));
+        assert_eq!(exif.focal_35mm, Some(28.0));
+    }
+
+    #[test]
+    fn focal_length_is_scaled_by_the_sensor_where_its_pitch_is_known() {
+        // 6000 × 4000 pixels at 2540 a centimetre: 23.62 × 15.75 mm, crop factor 1.524.
+        let tags = [
+            (Tag::FocalLengthIn35mmFilm, Value::Short(vec![0])),
+            (Tag::FocalLength, Value::Rational(rational(20, 1))),
+            (Tag::PixelXDimension, Value::Long(vec![6000])),
+            (Tag::PixelYDimension, Value::Long(vec![4000])),
+            (Tag::FocalPlaneXResolution, Value::Rational(rational(2540, 1))),
+            (Tag::FocalPlaneYResolution, Value::Rational(rational(2540, 1))),
+            (Tag::FocalPlaneResolutionUnit, Value::Short(vec![3])),
+        ];
+        // A zero in the 35 mm tag means unknown (EXIF 2.32 §4.6.5).
+        let focal = read(exif_block(&tags)).0.focal_35mm.unwrap();
+        assert!((focal - 20.0 * 1.524).abs() < 0.01, "{focal}");
+        assert_eq!(read(exif_block(&tags[1..2])).0.focal_35mm, None, "no sensor size, no guess");
+    }
+
+    #[test]
+    fn direction_with_its_reference() {
+        let tags = |reference: &str, degrees: Vec<exif::Rational>| {
+            exif_block(&[
+                (Tag::GPSImgDirectionRef, Value::Ascii(vec![reference.into()])),
+                (Tag::GPSImgDirection, Value::Rational(degrees)),
+            ])
+        };
+        let (exif, _) = read(tags("M", rational(12345, 100)));
+        assert_eq!((exif.image_direction, exif.direction_is_magnetic), (Some(123.45), true));
+        let (exif, _) = read(tags("T", rational(360, 1)));
+        assert_eq!((exif.image_direction, exif.direction_is_magnetic), (Some(0.0), false));
+        assert_eq!(read(tags("T", rational(1, 0))).0.image_direction, None);
+        assert_eq!(read(tags("M", rational(999, 1))).0, Exif::default());
+    }
+
+    #[test]
+    fn garbage_is_no_exif() {
+        for block in [vec![], b"II*\0".to_vec(), vec![0xff; 300], b"MM\0*\0\0\0\x08\xff\xff".to_vec()] {
+            assert_eq!(read(block), Default::default());
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! The main job as a user runs it: the binary, real photos, real folders.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+
+const ORIGIN: &str = "34.5523,-118.4712,740";
+
+fn samples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("samples")
+}
+
+/// One data folder (key, trust, ledger) for the whole test program.
+fn data() -> &'static Path {
+    static DATA: OnceLock<tempfile::TempDir> = OnceLock::new();
+    DATA.get_or_init(|| tempfile::tempdir().unwrap()).path()
+}
+
+fn orb(args: &[&str]) -> Command {
+    let mut c = Command::new(env!("CARGO_BIN_EXE_orb"));
+    c.args(args).env("ORB_DATA_DIR", data());
+    c
+}
+
+fn geo(photo: &Path, more: &[&str]) -> Command {
+    let mut c = orb(&["geo", "--origin", ORIGIN, "--iterations", "4"]);
+    c.arg(photo).args(more);
+    c
+}
+
+fn text(out: &Output) -> String {
+    format!("{}{}", String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr))
+}
+
+/// Every path below `folder`, hidden ones too.
+fn tree(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut all = Vec::new();
+    let mut stack = vec![folder.to_owned()];
+    while let Some(next) = stack.pop() {
+        let Ok(entries) = std::fs::read_dir(&next) else { continue };
+        for entry in entries.flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                all.push((path.clone(), Vec::new()));
+                stack.push(path);
+            } else {
+                all.push((path.clone(), std::fs::read(&path).unwrap()));
+            }
+        }
+    }
+    all.sort();
+    all
+}
+
+/// Runs with a photo of these bytes in an empty folder; asserts the code and that nothing but the photo is left.
+fn refuses(name: &str, bytes: &[u8], more: &[&str], code: i32, words: &str) {
+    let dir = tempfile::tempdir().unwrap();
+    let photo = dir.path().join(name);
+    std::fs::write(&photo, bytes).unwrap();
+    let out = dir.path().join("out");
+    let mut args = vec!["-o", out.to_str().unwrap()];
+    args.extend(more);
+    let done = geo(&photo, &args).output().unwrap();
+    let said = text(&done);
+    assert_eq!(done.status.code(), Some(code), "{said}");
+    assert!(said.contains(words), "expected «{words}» in: {said}");
+    assert_eq!(tree(dir.path()).len(), 1, "left behind: {:?}", tree(dir.path()));
+}
+
+/// A folder published once, looked at by many tests.
+fn published() -> &'static Path {
+    static DONE: OnceLock<tempfile::TempDir> = OnceLock::new();
+    DONE.get_or_init(|| {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        let done = geo(&samples().join("smart_car.jpg"), &["--format", "cdb,flt", "-o", out.to_str().unwrap()])
+            .output()
+            .unwrap();
+        assert!(done.status.success(), "{}", text(&done));
+        dir
+    })
+    .path()
+}
+
+#[test]
+fn publishes_verifies_and_leaves_no_staging() {
+    let top: Vec<String> =
+        std::fs::read_dir(published()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    assert_eq!(top, ["out"]);
+    let out = published().join("out");
+    for name in
+        ["scene.ply", "preview.png", "orb-record.dsse.json", "smart_car.flt", "smart_car.cdb/Metadata/Version.xml"]
+    {
+        assert!(out.join(name).is_file(), "{name} is missing");
+    }
+    let verified = orb(&["audit", "verify"]).arg(&out).output().unwrap();
+    assert!(verified.status.success(), "{}", text(&verified));
+}
+
+#[test]
+fn one_changed_byte_anywhere_is_found_and_named() {
+    let copy = tempfile::tempdir().unwrap();
+    let out = published().join("out");
+    for (path, bytes) in tree(&out) {
+        let to = copy.path().join(path.strip_prefix(&out).unwrap());
+        if path.is_dir() {
+            std::fs::create_dir_all(&to).unwrap();
+        } else {
+            std::fs::create_dir_all(to.parent().unwrap()).unwrap();
+            std::fs::write(&to, bytes).unwrap();
+        }
+    }
+    let files: Vec<_> = tree(copy.path()).into_iter().filter(|(p, _)| p.is_file()).collect();
+    assert!(files.len() > 50);
+    // Every kind of file and every seventh of the many tiles.
+    for (i, (path, bytes)) in files.iter().enumerate() {
+        if path.components().count() > copy.path().components().count() + 2 && i % 7 != 0 {
+            continue;
+        }
+        let mut changed = bytes.clone();
+        let middle = changed.len() / 2;
+        match changed.get_mut(middle) {
+            Some(byte) => *byte ^= 1,
+            None => changed.push(0),
+        }
+        std::fs::write(path, &changed).unwrap();
+        let verified = orb(&["audit", "verify"]).arg(copy.path()).output().unwrap();
+        std::fs::write(path, bytes).unwrap();
+        let said = text(&verified);
+        assert_eq!(verified.status.code(), Some(1), "{}: {said}", path.display());
+        let name = path.file_name().unwrap().to_str().unwrap();
+        assert!(said.contains(name), "{name} is not named in: {said}");
+    }
+}
+
+#[test]
+fn refuses_what_is_no_photo() {
+    refuses("notes.jpg", b"these are words, not pixels", &[], 2, "notes.jpg");
+    refuses("empty.jpg", b"", &[], 2, "empty.jpg");
+    let jpeg = std::fs::read(samples().join("smart_car.jpg")).unwrap();
+    refuses("cut.jpg", &jpeg[..jpeg.len() / 2], &[], 2, "cut.jpg");
+}
+
+#[test]
+fn refuses_photos_without_a_subject() {
+    let png = |w: u32, h: u32| {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        image::RgbImage::from_pixel(w, h, image::Rgb([255; 3])).write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        bytes.into_inner()
+    };
+    refuses("dot.png", &png(1, 1), &[], 2, "dot.png");
+    refuses("white.png", &png(640, 480), &[], 2, "no subject");
+}
+
+#[test]
+fn refuses_wrong_arguments() {
+    let jpeg = std::fs::read(samples().join("smart_car.jpg")).unwrap();
+    for (args, words) in [
+        (["--origin", "91,0,0"], "latitude"),
+        (["--origin", "NaN,0,0"], "NaN"),
+        (["--heading", "inf"], "--heading"),
+        (["--height", "-2"], "--height"),
+        (["--facc", "nothing"], "--facc"),
+        (["--format", "step"], "step"),
+    ] {
+        refuses("car.jpg", &jpeg, &args, 2, words);
+    }
+    refuses("car.jpg", &jpeg, &["--classification", "TOP SECRET//SI"], 4, "MARKING_UNSUPPORTED");
+    refuses("car.jpg", &jpeg, &["--classification", "SECRET"], 4, "--key");
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_said_before_the_work() {
+    let began = Instant::now();
+    let done = geo(&samples().join("smart_car.jpg"), &["-o", "/proc/orb-out"]).output().unwrap();
+    assert_eq!(done.status.code(), Some(5), "{}", text(&done));
+    assert!(text(&done).contains("/proc"), "{}", text(&done));
+    assert!(began.elapsed() < Duration::from_secs(10));
+}
+
+#[test]
+fn a_folder_that_is_in_use_is_left_alone() {
+    let dir = tempfile::tempdir().unwrap();
+    let mine = dir.path().join("mine.txt");
+    std::fs::write(&mine, "mine").unwrap();
+    let done =
+        geo(&samples().join("smart_car.jpg"), &["-o", dir.path().to_str().unwrap(), "--replace"]).output().unwrap();
+    assert_eq!(done.status.code(), Some(2), "{}", text(&done));
+    assert_eq!(tree(dir.path()), [(mine, b"mine".to_vec())]);
+}
+
+/// A disk of 1 MiB: needs a mount of its own, so Linux and root; says so where it cannot run.
+#[test]
+fn a_full_disk_is_an_error_that_leaves_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    let script = format!(
+        "mount -t tmpfs -o size=1m tmpfs {0} || exit 77; {1} geo --origin {ORIGIN} --iterations 4 {2} -o {0}/out; code=$?; ls -A {0} | wc -l; exit $code",
+        dir.path().display(),
+        env!("CARGO_BIN_EXE_orb"),
+        samples().join("smart_car.jpg").display(),
+    );
+    let Ok(done) = Command::new("unshare").args(["-m", "sh", "-c", &script]).env("ORB_DATA_DIR", data()).output()
+    else {
+        return skip("no unshare");
+    };
+    if matches!(done.status.code(), Some(77 | 1)) && !text(&done).contains("orb:") {
+        return skip(&text(&done));
+    }
+    assert_eq!(done.status.code(), Some(5), "{}", text(&done));
+    assert!(text(&done).contains("out/"), "the file is not named: {}", text(&done));
+    assert_eq!(String::from_utf8_lossy(&done.stdout).lines().last(), Some("0"), "{}", text(&done));
+}
+
+fn skip(reason: &str) {
+    assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "cannot run: {reason}");
+    eprintln!("skipped: {reason}");
+}
+
+/// Interrupts at several moments of a run: every one ends with 130 and an empty folder.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing() {
+    let mut stopped = 0;
+    for wait in [200, 900, 2500, 5000, 9000] {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        let mut child = orb(&["geo", "--origin", ORIGIN, "--iterations", "100000", "-q"])
+            .arg(samples().join("smart_car.jpg"))
+            .args(["-o", out.to_str().unwrap()])
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(wait));
+        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        assert!(sent.success());
+        let began = Instant::now();
+        let status = loop {
+            match child.try_wait().unwrap() {
+                Some(status) => break status,
+                None if began.elapsed() > Duration::from_secs(60) => {
+                    panic!("still running a minute after the interrupt")
+                }
+                None => std::thread::sleep(Duration::from_millis(50)),
+            }
+        };
+        assert!(tree(dir.path()).is_empty(), "after {wait} ms: {:?}", tree(dir.path()));
+        // An interrupt before the handler stands ends the program the system's way, with as little left.
+        stopped += usize::from(status.code() == Some(130));
+    }
+    assert!(stopped >= 3);
+}
+
+#[test]
+fn a_second_model_joins_a_store_and_a_failure_leaves_it_alone() {
+    let dir = tempfile::tempdir().unwrap();
+    let store = dir.path().join("store");
+    let from = published().join("out/smart_car.cdb");
+    for (path, bytes) in tree(&from) {
+        let to = store.join(path.strip_prefix(&from).unwrap());
+        if path.is_dir() {
+            std::fs::create_dir_all(&to).unwrap();
+        } else {
+            std::fs::create_dir_all(to.parent().unwrap()).unwrap();
+            std::fs::write(&to, bytes).unwrap();
+        }
+    }
+    let before = tree(&store);
+    let args = ["--cdb", store.to_str().unwrap(), "-o"];
+    let bad = dir.path().join("bad.jpg");
+    std::fs::write(&bad, b"words").unwrap();
+    let out = dir.path().join("bad");
+    let failed = geo(&bad, &args).arg(&out).output().unwrap();
+    assert_eq!(failed.status.code(), Some(2));
+    assert_eq!(tree(&store), before);
+
+    let out = dir.path().join("out");
+    let done = geo(&samples().join("shipping_container.jpg"), &args).arg(&out).output().unwrap();
+    assert!(done.status.success(), "{}", text(&done));
+    let after = tree(&store);
+    for (path, _) in &before {
+        assert!(after.iter().any(|(p, _)| p == path), "{} is gone", path.display());
+    }
+    let named = |name: &str| after.iter().any(|(p, b)| p.extension().is_some_and(|e| e == "dbf") && contains(b, name));
+    assert!(named("smart_car") && named("shipping_container"));
+    let verified = orb(&["audit", "verify"]).arg(&out).output().unwrap();
+    assert_ne!(verified.status.code(), Some(1), "{}", text(&verified));
+}
+
+fn contains(bytes: &[u8], needle: &str) -> bool {
+    bytes.windows(needle.len()).any(|w| w == needle.as_bytes())
+}
+
+#[test]
+fn same_seed_same_bytes() {
+    let run = || {
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        let done = geo(&samples().join("shipping_container.jpg"), &["--seed", "5", "-o", out.to_str().unwrap()])
+            .output()
+            .unwrap();
+        assert!(done.status.success(), "{}", text(&done));
+        let read = |name: &str| std::fs::read(out.join(name)).unwrap();
+        // The store's tables carry the day; what is free of the clock must be equal.
+        (read("scene.ply"), read("preview.png"))
+    };
+    assert!(run() == run());
+}
