@@ -2,7 +2,11 @@
 
 pub mod audit;
 mod bar;
+pub mod bench;
+mod cameras;
+pub mod device;
 pub mod geo;
+pub mod render;
 mod summary;
 
 use std::process::ExitCode;

@@ -5,6 +5,7 @@
 
 pub(crate) mod binning;
 mod cpu;
+pub mod gpu;
 pub(crate) mod projection;
 pub(crate) mod raster_backward;
 pub(crate) mod raster_forward;

@@ -1,0 +1,4 @@
+//! `orb bench`: how fast this machine is at it.
+
+mod scene;
+pub mod speed;

@@ -1,0 +1,203 @@
+//! `orb render SCENE.ply`: pictures of a splat from given cameras or from all around.
+
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use glam::Vec3;
+use image::{ExtendedColorType, ImageEncoder};
+use serde_json::json;
+
+use super::cameras;
+use super::device::Device;
+use crate::progress::Progress;
+use crate::splat::render::gpu::{Renderer, Scene};
+use crate::splat::render::{self, Frame};
+use crate::splat::{Camera, Gaussians};
+use crate::{Error, Result};
+
+/// Draw a splat (PLY) from cameras.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Render {
+    /// A 3D Gaussian Splatting scene.
+    pub scene: PathBuf,
+    /// Camera list (JSON): "cameras" with world_to_camera, or "views" with w2c_opencv.
+    #[arg(long, value_name = "CAMERAS.json", required_unless_present = "turntable", conflicts_with = "turntable")]
+    pub camera: Option<PathBuf>,
+    /// So many cameras in a circle around the scene.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub turntable: Option<u32>,
+    /// Folder for the pictures.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Pixels across a turntable picture.
+    #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(1..=8192))]
+    pub size: u32,
+    /// Also write the depth as a 16-bit PNG; frames.json says how many scene units a step is.
+    #[arg(long)]
+    pub depth: bool,
+    /// Red, green and blue behind the scene, 0 to 1.
+    #[arg(long, value_name = "R,G,B", value_delimiter = ',', num_args = 3, default_values_t = [0.0, 0.0, 0.0])]
+    pub background: Vec<f32>,
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+}
+
+/// Draws every picture and hands each file (name relative to the output folder, bytes) to `put`; last frames.json.
+///
+/// Errors: usage for a scene or camera list that cannot be used; environment from the GPU; what `put` returns.
+pub fn run(
+    args: &Render,
+    progress: &dyn Progress,
+    say: &mut dyn FnMut(&str),
+    put: &mut dyn FnMut(&str, &[u8]) -> Result<()>,
+) -> Result<()> {
+    let background = <[f32; 3]>::try_from(args.background.as_slice())
+        .ok()
+        .filter(|b| b.iter().all(|v| (0.0..=1.0).contains(v)))
+        .ok_or_else(|| Error::usage("--background").expected("three numbers from 0 to 1"))?;
+    let scene = load(&args.scene)?;
+    let cameras = match (&args.camera, args.turntable) {
+        (Some(path), _) => cameras::parse(path, &std::fs::read(path).map_err(|e| Error::io(path, &e))?)?,
+        (None, Some(n)) => cameras::turntable(&scene, n as usize, args.size),
+        (None, None) => return Err(Error::usage("render").expected("--camera or --turntable").found("neither")),
+    };
+    let gpu = args.device.open(say)?;
+    let mut drawer = match &gpu {
+        Some(gpu) => Some((Scene::upload(gpu, &scene)?, Renderer::new(gpu)?)),
+        None => None,
+    };
+    let mut frames = Vec::new();
+    progress.begin("render", cameras.len() as u64);
+    for (i, (name, camera)) in cameras.iter().enumerate() {
+        progress.check()?;
+        let frame = match &mut drawer {
+            Some((uploaded, renderer)) => renderer.render(uploaded, camera, background)?,
+            None => render::render(&scene, camera, background),
+        };
+        frames.push(write(name, camera, &frame, args.depth, put)?);
+        progress.step(i as u64 + 1);
+    }
+    let list =
+        json!({ "convention": "OpenCV: x right, y down, z forward; row-major world_to_camera", "cameras": frames });
+    let mut text =
+        serde_json::to_vec_pretty(&list).map_err(|e| Error::environment("frames.json").found(e.to_string()))?;
+    text.push(b'\n');
+    put("frames.json", &text)
+}
+
+/// A PLY file as Gaussians.
+pub fn load(path: &Path) -> Result<Gaussians> {
+    let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
+    let (splats, _) = orb_formats::ply::read(&bytes)
+        .map_err(|e| Error::usage(path.display().to_string()).expected("a splat in PLY").found(e.to_string()))?;
+    Ok(Gaussians {
+        positions: splats.positions.into_iter().map(Vec3::from_array).collect(),
+        log_scales: splats.log_scales.into_iter().map(Vec3::from_array).collect(),
+        rotations: splats.rotations,
+        logit_opacities: splats.logit_opacities,
+        sh: splats.sh,
+    })
+}
+
+/// Writes one picture; its entry in frames.json.
+fn write(
+    name: &str,
+    camera: &Camera,
+    frame: &Frame,
+    depth: bool,
+    put: &mut dyn FnMut(&str, &[u8]) -> Result<()>,
+) -> Result<serde_json::Value> {
+    let file = format!("{name}.png");
+    let bytes: Vec<u8> = frame.color.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8).collect();
+    put(&file, &png(frame, &bytes, ExtendedColorType::Rgb8)?)?;
+    let rows: Vec<Vec<f32>> = (0..4)
+        .map(|i| match i {
+            3 => vec![0.0, 0.0, 0.0, 1.0],
+            i => camera.rotation.row(i).extend(camera.translation[i]).to_array().to_vec(),
+        })
+        .collect();
+    let mut entry = json!({
+        "name": name, "file": file, "width": camera.width, "height": camera.height,
+        "fx": camera.fx, "fy": camera.fy, "cx": camera.cx, "cy": camera.cy, "world_to_camera": rows,
+    });
+    if depth {
+        let file = format!("{name}_depth.png");
+        let most = frame.depth.iter().copied().fold(0.0f32, f32::max);
+        let unit = if most > 0.0 { most / 65_535.0 } else { 1.0 };
+        // The PNG encoder takes native byte order and writes big-endian.
+        let steps: Vec<u16> = frame.depth.iter().map(|z| (z / unit + 0.5) as u16).collect();
+        put(&file, &png(frame, bytemuck::cast_slice(&steps), ExtendedColorType::L16)?)?;
+        entry["depth_file"] = file.into();
+        entry["depth_unit"] = f64::from(unit).into();
+    }
+    Ok(entry)
+}
+
+fn png(frame: &Frame, pixels: &[u8], color: ExtendedColorType) -> Result<Vec<u8>> {
+    let mut out = Cursor::new(Vec::new());
+    image::codecs::png::PngEncoder::new(&mut out)
+        .write_image(pixels, frame.width as u32, frame.height as u32, color)
+        .map_err(|e| Error::environment("PNG").found(e.to_string()))?;
+    Ok(out.into_inner())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+
+    fn one_ball(folder: &Path) -> PathBuf {
+        let splats = orb_formats::ply::Splats {
+            positions: vec![[0.0; 3]; 2],
+            log_scales: vec![[-1.5; 3]; 2],
+            rotations: vec![[1.0, 0.0, 0.0, 0.0]; 2],
+            logit_opacities: vec![6.0; 2],
+            sh: vec![std::array::from_fn(|k| if k == 0 { [1.5, 0.0, -1.5] } else { [0.0; 3] }); 2],
+        };
+        let path = folder.join("ball.ply");
+        std::fs::write(&path, orb_formats::ply::write(&splats, &[]).unwrap()).unwrap();
+        path
+    }
+
+    #[test]
+    fn writes_pictures_depth_and_its_unit() {
+        let folder = tempfile::tempdir().unwrap();
+        let args = Render {
+            scene: one_ball(folder.path()),
+            camera: None,
+            turntable: Some(2),
+            output: folder.path().into(),
+            size: 32,
+            depth: true,
+            background: vec![0.0; 3],
+            device: Device::Cpu,
+        };
+        let mut files = std::collections::BTreeMap::new();
+        let mut put = |name: &str, bytes: &[u8]| {
+            files.insert(name.to_owned(), bytes.to_vec());
+            Ok(())
+        };
+        run(&args, &Silent, &mut |_| {}, &mut put).unwrap();
+        let names: Vec<_> = files.keys().cloned().collect();
+        assert_eq!(names, ["0000.png", "0000_depth.png", "0001.png", "0001_depth.png", "frames.json"]);
+        let list: serde_json::Value = serde_json::from_slice(&files["frames.json"]).unwrap();
+        let cameras = cameras::parse(Path::new("frames.json"), &files["frames.json"]).unwrap();
+        let depth = image::load_from_memory(&files["0001_depth.png"]).unwrap().into_luma16();
+        let unit = list["cameras"][1]["depth_unit"].as_f64().unwrap();
+        let got = f64::from(depth.get_pixel(16, 16)[0]) * unit;
+        let want = f64::from(cameras[1].1.position().length());
+        assert!((got - want).abs() < 1e-3 * want, "{got} {want}");
+        let color = image::load_from_memory(&files["0000.png"]).unwrap().into_rgb8();
+        let [r, g, b] = color.get_pixel(16, 16).0;
+        assert!(r > 200 && (100..150).contains(&g) && b < 40, "{r} {g} {b}");
+    }
+
+    #[test]
+    fn a_scene_that_is_none_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.ply");
+        std::fs::write(&path, b"ply\nnothing").unwrap();
+        let e = load(&path).unwrap_err();
+        assert!(e.kind == crate::Kind::Usage && e.to_string().contains("x.ply"), "{e}");
+    }
+}

@@ -1,0 +1,17 @@
+//! Rendering on the GPU: WGSL compute kernels on Vulkan, Metal or DX12.
+//!
+//! [`device`] chooses an adapter and tests it, [`buffers`] uploads a scene, [`sort`] is a stable radix sort with its
+//! count on the GPU, [`forward`] draws: project → depth order → (tile, Gaussian) pairs → tile order → ranges → raster.
+//! The pictures are those of the CPU renderer, [`super::render`].
+
+mod buffers;
+mod device;
+mod forward;
+mod kernel;
+mod plan;
+mod sort;
+
+pub use buffers::Scene;
+pub use device::{Abilities, Adapter, Gpu, adapters};
+pub use forward::{Renderer, STAGES, Timing};
+pub use sort::sort_pairs;
