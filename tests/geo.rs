@@ -291,6 +291,32 @@ fn contains(bytes: &[u8], needle: &str) -> bool {
 }
 
 #[test]
+fn pictures_of_a_published_scene_are_sealed_and_never_marked_lower() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = published().join("out/scene.ply");
+    let out = dir.path().join("pictures");
+    let render = |scene: &Path, out: &Path, more: &[&str]| {
+        let mut c = orb(&["render", "--turntable", "2", "--size", "64", "--depth", "--device", "cpu", "-o"]);
+        c.arg(out).arg(scene).args(more).output().unwrap()
+    };
+    let done = render(&scene, &out, &[]);
+    assert!(done.status.success(), "{}", text(&done));
+    for name in ["0000.png", "0001_depth.png", "frames.json", "orb-record.dsse.json"] {
+        assert!(out.join(name).is_file(), "{name} is missing");
+    }
+    let verified = orb(&["audit", "verify"]).arg(&out).output().unwrap();
+    assert!(verified.status.success(), "{}", text(&verified));
+
+    let secret = dir.path().join("secret.ply");
+    let bytes = std::fs::read(&scene).unwrap();
+    let at = bytes.windows(12).position(|w| w == b"UNCLASSIFIED").unwrap();
+    std::fs::write(&secret, [&bytes[..at], b"SECRET", &bytes[at + 12..]].concat()).unwrap();
+    let lower = render(&secret, &dir.path().join("lower"), &["--classification", "UNCLASSIFIED"]);
+    assert_eq!(lower.status.code(), Some(4), "{}", text(&lower));
+    assert!(!dir.path().join("lower").exists());
+}
+
+#[test]
 fn same_seed_same_bytes() {
     let run = || {
         let dir = tempfile::tempdir().unwrap();

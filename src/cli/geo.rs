@@ -9,16 +9,10 @@ use clap::{Args, ValueEnum};
 use orb_formats::cdb;
 
 use super::bar::Bar;
+use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
-use crate::audit::data_folder::DataFolder;
-use crate::audit::keys;
-use crate::audit::ledger::Ledger;
-use crate::audit::marking::Marking;
-use crate::audit::publication::{Destination, Publication};
-use crate::audit::record::{self, RecordDraft};
-use crate::audit::statement::{Param, Tool};
-use crate::audit::store_merge::{StoreLock, lock_store, merge_into_store};
-use crate::audit::time;
+use crate::audit::statement::Param;
+use crate::audit::{Marking, Publication, StoreLock, lock_store, merge_into_store, record, time};
 use crate::export::{self, Labels, ToMetres};
 use crate::geo::{Extents, HeadingSource, Known, Placement, Scale, View, metres_per_unit, parse_origin};
 use crate::models::{Engine, Rten, prior};
@@ -236,28 +230,12 @@ fn safe_stem(photo: &Path) -> String {
 pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     let started = Instant::now();
     let plan = plan(args)?;
-    let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-    let key = keys::for_marking(&data, plan.marking, args.key.as_deref())?;
-    if let Some(warning) = &key.warning {
-        eprintln!("orb: warning: {warning}");
-    }
-    if key.created && !args.quiet {
-        eprintln!(
-            "orb: made a signing key in {}, fingerprint {}",
-            data.path().display(),
-            key.key.public().fingerprint()
-        );
-    }
     let photo_limits = photo::Limits::default();
     let bytes = read_photo(&args.photo, photo_limits.file_bytes)?;
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &photo_limits)?;
 
-    let mut random = [0u8; 18];
-    getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
-    let nonce = u64::from_le_bytes(std::array::from_fn(|i| random[10 + i]));
-    let destination = Destination { folder: plan.output.clone(), replace: args.replace, marking: plan.marking, nonce };
-    let mut publication = Publication::begin(&destination)?;
+    let mut run = SealedRun::begin(&plan.output, args.replace, plan.marking, args.key.as_deref(), args.quiet)?;
     let store = match &args.cdb {
         Some(root) => Some(open_store(root)?),
         None => None,
@@ -294,37 +272,30 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     };
 
     let scene = export::scene_ply(&to_metres.gaussians(&done.gaussians), &placement, &labels)?;
-    publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
+    run.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
     let mut store_model = None;
     if args.format.contains(&Format::Cdb) {
         let model = export::gs_model(&done.model.levels, &to_metres, &placement, &labels);
-        store_model = Some(write_cdb(&model, &plan.stem, store, &mut publication)?);
+        store_model = Some(write_cdb(&model, &plan.stem, store, &mut run.publication)?);
     }
     if args.format.contains(&Format::Flt) {
         for file in export::flt(&done.model.levels, &to_metres, &placement, &labels)? {
-            publication.add(&file.path, &file.bytes, file.media_type, "model")?;
+            run.publication.add(&file.path, &file.bytes, file.media_type, "model")?;
         }
     }
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
-    publication.add("preview.png", &preview, "image/png", "preview")?;
+    run.publication.add("preview.png", &preview, "image/png", "preview")?;
     bar.check()?;
 
-    let draft = RecordDraft {
-        event_type: "scene.generate".into(),
+    let published = run.seal(Evidence {
+        event_type: "scene.generate",
+        command: "orb geo",
         time: reading,
-        event_random: std::array::from_fn(|i| random[i]),
-        operator_id: record::operator_from(|name| std::env::var(name).ok()),
-        command: "orb geo".into(),
         inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
         models: models(),
         params: params(args, &settings, &done, &placement, &scale),
-        tool: tool(),
-        marking: plan.marking,
-        notes: None,
-    };
-    let mut ledger = Ledger::open(&data)?;
-    let published = publication.seal(&draft, &key.key, &mut ledger)?;
+    })?;
     bar.finish();
 
     let summary = Summary {
@@ -472,15 +443,6 @@ fn params(
         ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
         ("feature_code".into(), text(args.facc.clone())),
     ])
-}
-
-fn tool() -> Tool {
-    Tool {
-        name: "orb".into(),
-        version: env!("CARGO_PKG_VERSION").into(),
-        target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
-        ..Default::default()
-    }
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ mod cameras;
 pub mod device;
 pub mod geo;
 pub mod render;
+mod sealed;
 mod summary;
 
 use std::process::ExitCode;
@@ -30,8 +31,19 @@ struct Cli {
 enum Verb {
     /// Turn a photo into a placed, marked, sealed model.
     Geo(Box<geo::GeoArgs>),
+    /// Draw a splat (PLY) from cameras, on the GPU where there is one.
+    Render(render::Render),
+    /// Measure this machine.
+    #[command(subcommand)]
+    Bench(Bench),
     /// Verify and show records, make keys.
     Audit(audit::AuditArgs),
+}
+
+#[derive(Subcommand)]
+enum Bench {
+    /// How fast splats are drawn.
+    Speed(bench::speed::Speed),
 }
 
 /// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
@@ -52,6 +64,13 @@ pub fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
+        Verb::Render(args) => render::publish(&args, &stop),
+        Verb::Bench(Bench::Speed(args)) => {
+            let bar = bar::Bar::new(&stop, false);
+            let done = bench::speed::run(&args, &bar, &mut |line| eprintln!("orb: {line}"));
+            bar.finish();
+            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
+        }
         Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| audit::run(&args, &data))
             .map(show),

@@ -1,14 +1,21 @@
 //! `orb render SCENE.ply`: pictures of a splat from given cameras or from all around.
 
+use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use glam::Vec3;
 use image::{ExtendedColorType, ImageEncoder};
 use serde_json::json;
 
+use super::bar::Bar;
 use super::cameras;
 use super::device::Device;
+use super::sealed::{Evidence, SealedRun};
+use crate::audit::inband::{self, Carried};
+use crate::audit::statement::Param;
+use crate::audit::{Marking, record, time};
 use crate::progress::Progress;
 use crate::splat::render::gpu::{Renderer, Scene};
 use crate::splat::render::{self, Frame};
@@ -36,10 +43,67 @@ pub struct Render {
     #[arg(long)]
     pub depth: bool,
     /// Red, green and blue behind the scene, 0 to 1.
-    #[arg(long, value_name = "R,G,B", value_delimiter = ',', num_args = 3, default_values_t = [0.0, 0.0, 0.0])]
+    #[arg(long, value_name = "R,G,B", value_delimiter = ',', default_values_t = [0.0, 0.0, 0.0])]
     pub background: Vec<f32>,
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
+    /// Marking of the pictures. Default: the scene's own, else UNCLASSIFIED; never below the scene's.
+    #[arg(long, value_name = "BANNER")]
+    pub classification: Option<String>,
+    /// Signing key (PKCS#8 PEM). Needed for CUI and above.
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+    /// Replace a folder that Orb published earlier.
+    #[arg(long)]
+    pub replace: bool,
+    /// No progress, no summary.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Draws and publishes: every picture marked, all of them in a signed record. `stop` is set by the interrupt handler.
+pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
+    let bytes = std::fs::read(&args.scene).map_err(|e| Error::io(&args.scene, &e))?;
+    let name = args.scene.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let own = match inband::read(&name, &bytes) {
+        Carried::Banners(banners) => {
+            Some(Marking::join_all(banners.iter().map(|b| Marking::parse(b)).collect::<Result<Vec<_>>>()?))
+        }
+        Carried::Nothing { .. } | Carried::NoCarrier => None,
+    };
+    let marking = match &args.classification {
+        Some(banner) => Marking::parse_for_output(banner)?,
+        None => Marking::parse_for_output(own.unwrap_or(Marking::Unclassified).banner())?,
+    };
+    let input = record::input(&name, &bytes, "application/ply", "scene", own);
+    let mut sealed = SealedRun::begin(&args.output, args.replace, marking, args.key.as_deref(), args.quiet)?;
+    let bar = Bar::new(stop, args.quiet);
+    let mut say = |line: &str| {
+        if !args.quiet {
+            eprintln!("orb: {line}");
+        }
+    };
+    let mut put = |file: &str, bytes: &[u8]| {
+        if file.ends_with(".png") {
+            sealed.publication.add(file, &inband::mark_png(bytes, marking), "image/png", "picture")
+        } else {
+            sealed.publication.add(file, bytes, "application/json", "cameras")
+        }
+    };
+    run(args, &bar, &mut say, &mut put)?;
+    let published = sealed.seal(Evidence {
+        event_type: "scene.render",
+        command: "orb render",
+        time: time::now()?,
+        inputs: vec![input],
+        models: Vec::new(),
+        params: BTreeMap::from([("depth".into(), Param::Bool(args.depth))]),
+    })?;
+    bar.finish();
+    if !args.quiet {
+        println!("{}\n{} files in {}", marking.banner(), published.outputs.len(), published.folder.display());
+    }
+    Ok(0)
 }
 
 /// Draws every picture and hands each file (name relative to the output folder, bytes) to `put`; last frames.json.
@@ -171,6 +235,10 @@ mod tests {
             depth: true,
             background: vec![0.0; 3],
             device: Device::Cpu,
+            classification: None,
+            key: None,
+            replace: false,
+            quiet: true,
         };
         let mut files = std::collections::BTreeMap::new();
         let mut put = |name: &str, bytes: &[u8]| {

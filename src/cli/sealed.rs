@@ -1,0 +1,84 @@
+//! What every verb that publishes does alike: key, staging folder, record, ledger.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::audit::record::operator_from;
+use crate::audit::statement::{Input, Model, Param, Tool};
+use crate::audit::{DataFolder, Destination, Ledger, Marking, Publication, Published, RecordDraft, SigningKey};
+use crate::audit::{TimeReading, keys};
+use crate::{Error, Result};
+
+/// A run that may publish, from its first check to its seal. Dropped before that, nothing of it remains.
+pub struct SealedRun {
+    data: DataFolder,
+    key: SigningKey,
+    marking: Marking,
+    event_random: [u8; 10],
+    pub publication: Publication,
+}
+
+/// What the run did.
+pub struct Evidence {
+    pub event_type: &'static str,
+    pub command: &'static str,
+    pub time: TimeReading,
+    pub inputs: Vec<Input>,
+    pub models: Vec<Model>,
+    pub params: BTreeMap<String, Param>,
+}
+
+impl SealedRun {
+    /// Finds or makes the key, checks the output folder, begins to stage. Call it before any work.
+    ///
+    /// # Errors
+    /// As [`keys::for_marking`] and [`Publication::begin`].
+    pub fn begin(folder: &Path, replace: bool, marking: Marking, key: Option<&Path>, quiet: bool) -> Result<SealedRun> {
+        let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+        let key = keys::for_marking(&data, marking, key)?;
+        if let Some(warning) = &key.warning {
+            eprintln!("orb: warning: {warning}");
+        }
+        if key.created && !quiet {
+            let fingerprint = key.key.public().fingerprint();
+            eprintln!("orb: made a signing key in {}, fingerprint {fingerprint}", data.path().display());
+        }
+        let random = |bytes: &mut [u8]| {
+            getrandom::fill(bytes).map_err(|e| Error::environment("random numbers").found(e.to_string()))
+        };
+        let (mut event_random, mut nonce) = ([0; 10], [0; 8]);
+        random(&mut event_random)?;
+        random(&mut nonce)?;
+        let nonce = u64::from_le_bytes(nonce);
+        let destination = Destination { folder: folder.to_owned(), replace, marking, nonce };
+        let publication = Publication::begin(&destination)?;
+        Ok(SealedRun { data, key: key.key, marking, event_random, publication })
+    }
+
+    /// Signs, appends to the ledger, publishes.
+    ///
+    /// # Errors
+    /// As [`Publication::seal`].
+    pub fn seal(self, evidence: Evidence) -> Result<Published> {
+        let draft = RecordDraft {
+            event_type: evidence.event_type.into(),
+            time: evidence.time,
+            event_random: self.event_random,
+            operator_id: operator_from(|name| std::env::var(name).ok()),
+            command: evidence.command.into(),
+            inputs: evidence.inputs,
+            models: evidence.models,
+            params: evidence.params,
+            tool: Tool {
+                name: "orb".into(),
+                version: env!("CARGO_PKG_VERSION").into(),
+                target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
+                ..Default::default()
+            },
+            marking: self.marking,
+            notes: None,
+        };
+        let mut ledger = Ledger::open(&self.data)?;
+        self.publication.seal(&draft, &self.key, &mut ledger)
+    }
+}
