@@ -381,13 +381,15 @@ fn scale_of(photo: &Photo, done: &Reconstruction, plan: &Plan, camera_height: f6
     let finest = &done.model.levels[0].mesh.positions;
     let extents = Extents::of(finest.iter().map(|p| p.as_dvec3().to_array()))
         .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
+    // The camera that the subject's silhouette fits, not the network's nominal one: they differ by a zoom.
+    let camera = &done.prior.camera;
     let view = View {
         elevation: done.prior.elevation,
         crop_side: done.prior.crop.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),
         canonical_distance: crate::models::splat_prior::DISTANCE,
-        canonical_fov: crate::models::splat_prior::FOV,
+        canonical_fov: 2.0 * (camera.width as f32 / 2.0 / camera.fx).atan(),
         focal_35mm: photo.exif.focal_35mm,
     };
     metres_per_unit(plan.known, &extents, &view, camera_height)
