@@ -79,19 +79,19 @@ pub struct GeoArgs {
     pub heading: Option<f64>,
 
     /// The subject's true height.
-    #[arg(long, value_name = "METRES", conflicts_with_all = ["length", "width"])]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, conflicts_with_all = ["length", "width"])]
     pub height: Option<f64>,
 
     /// The subject's true length: the longer side of its footprint.
-    #[arg(long, value_name = "METRES", conflicts_with = "width")]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, conflicts_with = "width")]
     pub length: Option<f64>,
 
     /// The subject's true width: the shorter side of its footprint.
-    #[arg(long, value_name = "METRES")]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     pub width: Option<f64>,
 
     /// Height of the camera above the ground; gives the scale when no dimension is known.
-    #[arg(long, value_name = "METRES", default_value_t = 1.6)]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, default_value_t = 1.6)]
     pub camera_height: f64,
 
     /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
