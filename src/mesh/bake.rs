@@ -10,7 +10,7 @@ use super::fill::{Surroundings, pad};
 use super::raster::visibility;
 use super::source::{Source, photo_source, rendered_source};
 use super::unwrap::cells_inside;
-use super::{Mesh, Options, PhotoView, VIEW_DISTANCE, VIEW_FOV, View, cross, fibonacci_sphere, rendered};
+use super::{Mesh, Options, PhotoView, View, cross, rendered, surrounding_cameras};
 use crate::Result;
 use crate::progress::Progress;
 use crate::splat::Camera;
@@ -81,11 +81,6 @@ fn texel_place(uv: Vec2, size: usize) -> Vec2 {
     Vec2::new(uv.x, 1.0 - uv.y) * size as f32
 }
 
-/// The cameras that colours come from.
-pub fn color_cameras(count: usize, size: u32) -> Vec<Camera> {
-    fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
-}
-
 /// Bakes the finest level.
 pub fn bake(
     mesh: &Mesh,
@@ -99,7 +94,7 @@ pub fn bake(
     let texels = texels(mesh, size);
     let linear = Linear::default();
     let mut sums = vec![[0f32; 4]; texels.len()];
-    let cameras = color_cameras(options.color_views, options.color_size);
+    let cameras = surrounding_cameras(options.color_views, options.color_size);
     for (done, camera) in cameras.iter().enumerate() {
         progress.check()?;
         let view = rendered(render, camera)?;

@@ -7,10 +7,7 @@ use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
-use super::{
-    Level, Mesh, Model, Options, PhotoView, Surface, VIEW_DISTANCE, VIEW_FOV, View, clean, fibonacci_sphere, pack,
-    rendered,
-};
+use super::{Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras};
 use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::{Error, Result};
@@ -65,11 +62,6 @@ pub(super) fn build(
     Ok(Model { levels, surface })
 }
 
-/// The cameras that depth comes from.
-pub fn depth_cameras(count: usize, size: u32) -> Vec<Camera> {
-    fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
-}
-
 /// One solid without cavities and floaters, and where it stands.
 struct Solid {
     volume: Volume,
@@ -78,7 +70,7 @@ struct Solid {
 
 fn solid(render: &(dyn Fn(&Camera) -> View + Sync), options: &Options, progress: &dyn Progress) -> Result<Solid> {
     let mut maps = Vec::with_capacity(options.views);
-    for (done, camera) in depth_cameras(options.views, options.view_size).iter().enumerate() {
+    for (done, camera) in surrounding_cameras(options.views, options.view_size).iter().enumerate() {
         progress.check()?;
         maps.push(DepthMap::new(&rendered(render, camera)?));
         progress.step(done as u64 + 1);

@@ -247,6 +247,11 @@ pub fn fibonacci_sphere(count: usize) -> Vec<Vec3> {
         .collect()
 }
 
+/// Cameras evenly around the subject, above and below, that depth and colours come from.
+pub(crate) fn surrounding_cameras(count: usize, size: u32) -> Vec<Camera> {
+    fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
+}
+
 /// Distance of the cameras around the subject: a sphere of radius [`SUBJECT_RADIUS`] fills [`VIEW_FOV`].
 pub(crate) const VIEW_DISTANCE: f32 = 4.1;
 pub(crate) const VIEW_FOV: f32 = 30.0 * std::f32::consts::PI / 180.0;

@@ -1,7 +1,7 @@
 //! Analytic scenes for tests: signed distance functions, ray-marched.
 
 use super::fuse::Volume;
-use super::{Surface, View, extract, levels};
+use super::{Surface, View, extract};
 use crate::splat::Camera;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -87,7 +87,7 @@ pub fn by_side(n: Vec3) -> [f32; 3] {
 }
 
 pub fn depth_cameras(count: usize, size: u32) -> Vec<Camera> {
-    levels::depth_cameras(count, size)
+    super::surrounding_cameras(count, size)
 }
 
 /// The scene's own surface from samples of its function, `n` along each axis.
