@@ -50,6 +50,18 @@ impl Disk {
         write().map_err(|e: io::Error| write_error(path, bytes.len(), &e))
     }
 
+    /// Appends to an open file, durably. In a test the write can fail half-way.
+    pub fn append(&self, file: &mut File, bytes: &[u8]) -> io::Result<()> {
+        #[cfg(test)]
+        if let Err(error) = self.step() {
+            let _ = file.write_all(&bytes[..bytes.len() / 2]);
+            return Err(error);
+        }
+        file.write_all(bytes)?;
+        self.step()?;
+        file.sync_all()
+    }
+
     pub fn rename(&self, from: &Path, to: &Path) -> Result<()> {
         self.step().and_then(|()| fs::rename(from, to)).map_err(|e| {
             let mut error = Error::io(to, &e);

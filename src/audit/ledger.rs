@@ -1,17 +1,26 @@
 //! The user's ledger: every record that this user's Orb made, one envelope a line, each naming the one before.
 //!
-//! A chain alone cannot show that its tail was cut: only a copy of its head kept elsewhere can.
+//! Beside it stands `head.json`, the signed checkpoint of its end with the right edge of its Merkle tree: appending
+//! reads that and the last line, not the whole file, and a ledger whose end was cut off no longer fits it. Whoever can
+//! write both files can still cut both: only a checkpoint kept elsewhere shows that.
+
+mod head;
 
 use std::fs::{File, OpenOptions};
-use std::io::{Read as _, Seek as _, SeekFrom, Write as _};
+use std::io::{BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
+use super::checkpoint::{self, Proof};
 use super::data_folder::DataFolder;
 use super::disk::{self, Disk};
 use super::dsse::{Envelope, MAX_ENVELOPE_BYTES};
+use super::keys::SigningKey;
+use super::merkle::Frontier;
 use super::record::Sealed;
-use super::statement::{Chain, Statement};
+use super::statement::{Chain, GENESIS, Statement};
 use crate::{Error, Result};
+use head::Head;
+pub(super) use head::checkpoint_beside;
 
 /// An append-only file of records.
 #[derive(Clone, Debug)]
@@ -20,28 +29,117 @@ pub struct Ledger {
     disk: Disk,
 }
 
+/// Where a ledger ends: what the next record follows.
+#[derive(Debug)]
+struct End {
+    tree: Frontier,
+    /// The last record, if there is one.
+    last: Option<Statement>,
+    /// The file's length, bytes.
+    bytes: u64,
+}
+
 impl Ledger {
     /// Opens `ledger/orb-ledger.jsonl` of the user's data folder, making the folder.
     ///
     /// # Errors
     /// [`crate::Kind::Environment`] when the folder cannot be made.
     pub fn open(data: &DataFolder) -> Result<Ledger> {
-        Ok(Ledger { path: data.subfolder("ledger")?.join("orb-ledger.jsonl"), disk: Disk::default() })
+        Ok(Ledger::at(data.subfolder("ledger")?.join("orb-ledger.jsonl")))
+    }
+
+    /// The ledger in this file, which need not exist.
+    pub fn at(path: PathBuf) -> Ledger {
+        Ledger { path, disk: Disk::default() }
+    }
+
+    #[cfg(test)]
+    pub(super) fn with_disk(self, disk: Disk) -> Ledger {
+        Ledger { disk, ..self }
     }
 
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Appends the record that `make` builds for the next place in the chain. When this returns, the record is on
-    /// the disk. Other runs wait meanwhile.
+    /// Appends the record that `make` builds for the next place in the chain. `stage` gets it together with the proof
+    /// that it stands in the ledger, before it does: what `stage` cannot write is not appended. When this returns, the
+    /// record is on the disk. Other runs wait meanwhile.
     ///
     /// # Errors
-    /// [`crate::Kind::Integrity`] when the ledger's last line is not a record: nothing is appended to a broken chain.
-    pub fn append(&mut self, make: impl FnOnce(Option<Chain>) -> Result<Sealed>) -> Result<Sealed> {
-        let path = &self.path;
-        let io = |e: std::io::Error| Error::io(path, &e);
-        let existed = path.exists();
+    /// [`crate::Kind::Integrity`] when the ledger does not end as it did: nothing is appended to a broken chain.
+    pub fn append(
+        &mut self,
+        key: &SigningKey,
+        make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
+        stage: impl FnOnce(&Sealed, &Proof) -> Result<()>,
+    ) -> Result<Sealed> {
+        let existed = self.path.exists();
+        let mut file = self.open_locked()?;
+        set_partial_line_aside(&mut file, &self.path)?;
+        let end = self.end(&mut file)?;
+        let next = end.last.as_ref().map(chain_after).transpose().map_err(|why| self.broken(why))?;
+        let sealed = make(next)?;
+        let proof = Proof::of_next(&end.tree, &sealed, key)?;
+        stage(&sealed, &proof)?;
+        let line = sealed.envelope.to_line();
+        if let Err(error) = self.disk.append(&mut file, &line) {
+            // Half a line must not stand before the next record.
+            let _ = file.set_len(end.bytes);
+            return Err(disk::write_error(&self.path, line.len(), &error));
+        }
+        if !existed && let Some(folder) = self.path.parent() {
+            self.disk.sync_dir(folder)?;
+        }
+        // The record stands. A head that lags behind is brought up by the next append.
+        if let Some(leaf) = checkpoint::record_leaf(&sealed.trail_hash) {
+            let mut tree = end.tree;
+            tree.push(leaf);
+            let _ = Head::of(&tree, end.bytes + line.len() as u64, &proof).save(&self.head_path(), &self.disk);
+        }
+        Ok(sealed)
+    }
+
+    /// A checkpoint of the ledger as it stands, for keeping elsewhere; `None` for a ledger without records.
+    ///
+    /// # Errors
+    /// As [`Ledger::append`].
+    pub fn checkpoint(&self) -> Result<Option<checkpoint::Checkpoint>> {
+        if !self.path.exists() {
+            return Ok(None);
+        }
+        let mut file = self.open_locked()?;
+        set_partial_line_aside(&mut file, &self.path)?;
+        let end = self.end(&mut file)?;
+        Ok(end.last.map(|last| checkpoint::Checkpoint::of(&end.tree, &last)))
+    }
+
+    /// Moves the ledger and its head into `folder`, which must be new. The next record begins a new ledger.
+    ///
+    /// # Errors
+    /// [`crate::Kind::Environment`] when the files cannot be moved.
+    pub(super) fn move_to(&self, folder: &Path) -> Result<PathBuf> {
+        let lock = self.open_locked()?;
+        self.disk.create_dir(folder)?;
+        let moved = folder.join(self.path.file_name().unwrap_or_default());
+        // The head first: a kill between the two leaves a ledger without a head, which the next append makes anew.
+        if self.head_path().exists() {
+            self.disk.rename(&self.head_path(), &folder.join("head.json"))?;
+        }
+        self.disk.rename(&self.path, &moved)?;
+        for folder in [Some(folder), self.path.parent()].into_iter().flatten() {
+            self.disk.sync_dir(folder)?;
+        }
+        drop(lock);
+        Ok(moved)
+    }
+
+    fn head_path(&self) -> PathBuf {
+        self.path.with_file_name("head.json")
+    }
+
+    fn open_locked(&self) -> Result<File> {
+        let io = |e: std::io::Error| Error::io(&self.path, &e);
         let mut options = OpenOptions::new();
         options.read(true).append(true).create(true);
         #[cfg(unix)]
@@ -49,81 +147,149 @@ impl Ledger {
             use std::os::unix::fs::OpenOptionsExt as _;
             options.mode(0o600);
         }
-        let mut file = options.open(path).map_err(io)?;
-        // Released when the file is closed, also by a kill.
-        file.lock().map_err(io)?;
-        set_partial_line_aside(&mut file, path)?;
-        let next = match last_line(&mut file).map_err(io)? {
-            None => None,
-            Some(line) => Some(self.after(&line)?),
-        };
-        let sealed = make(next)?;
-        let line = sealed.envelope.to_line();
-        let length = file.metadata().map_err(io)?.len();
-        let written = file.write_all(&line).and_then(|()| file.sync_all());
-        if let Err(error) = written {
-            // Half a line must not stand before the next record.
-            let _ = file.set_len(length);
-            return Err(disk::write_error(path, line.len(), &error));
+        loop {
+            let file = options.open(&self.path).map_err(io)?;
+            // Released when the file is closed, also by a kill.
+            file.lock().map_err(io)?;
+            // While this run waited, another may have archived the file: then the lock is on the wrong one.
+            if is_still_at(&file, &self.path) {
+                return Ok(file);
+            }
         }
-        if !existed && let Some(folder) = path.parent() {
-            self.disk.sync_dir(folder)?;
-        }
-        Ok(sealed)
     }
 
-    /// The place after the record on `line`.
-    fn after(&self, line: &[u8]) -> Result<Chain> {
-        let broken = |found: String| {
-            Error::integrity(self.path.display().to_string())
-                .expected("a record on the ledger's last line")
-                .found(found)
-                .advice(
-                    "The ledger was changed outside Orb, so nothing was published. Keep the file for whoever looks \
-                     into it, and move it away to begin a new ledger.",
-                )
+    /// Where the file ends, from its head and the lines that the head does not know yet.
+    fn end(&self, file: &mut File) -> Result<End> {
+        let io = |e: std::io::Error| Error::io(&self.path, &e);
+        let bytes = file.metadata().map_err(io)?.len();
+        let (mut tree, from) = match Head::load(&self.head_path())? {
+            None => (Frontier::default(), 0),
+            Some(head) if head.bytes > bytes => {
+                return Err(self.broken(format!(
+                    "TRUNCATED: {bytes} bytes, but its head knows {} records in {} bytes",
+                    head.tree.size(),
+                    head.bytes
+                )));
+            }
+            Some(head) => (head.tree, head.bytes),
         };
-        let envelope = Envelope::parse(line).map_err(|f| broken(format!("{}: {}", f.code(), f.detail())))?;
+        let known = tree.size();
+        let mut last = None;
+        if from > 0 {
+            let line = line_before(file, from).map_err(io)?;
+            let statement = self.read_line(&line)?;
+            if statement.predicate.chain.seq + 1 != known {
+                return Err(self.broken("HEAD_FORK: the head's last record is another one".into()));
+            }
+            last = Some(statement);
+        }
+        file.seek(SeekFrom::Start(from)).map_err(io)?;
+        let mut reader = BufReader::new(&mut *file);
+        let mut line = Vec::new();
+        while read_line_limited(&mut reader, &mut line).map_err(io)? {
+            let statement = self.read_line(&line)?;
+            self.check_follows(last.as_ref(), &statement)?;
+            let leaf = statement.predicate.trail_hash.as_deref().and_then(checkpoint::record_leaf);
+            tree.push(leaf.ok_or_else(|| self.broken("a record without a trail hash".into()))?);
+            last = Some(statement);
+        }
+        Ok(End { tree, last, bytes })
+    }
+
+    /// The record on `line`, its trail hash and its spelling checked.
+    fn read_line(&self, line: &[u8]) -> Result<Statement> {
+        let envelope = Envelope::parse(line).map_err(|f| self.broken(format!("{}: {}", f.code(), f.detail())))?;
         let (statement, canonical) =
-            Statement::parse(&envelope.payload).map_err(|f| broken(format!("{}: {}", f.code(), f.detail())))?;
-        let trail_hash = statement.trail_hash().map_err(|f| broken(f.detail().to_owned()))?;
+            Statement::parse(&envelope.payload).map_err(|f| self.broken(format!("{}: {}", f.code(), f.detail())))?;
+        let trail_hash = statement.trail_hash().map_err(|f| self.broken(f.detail().to_owned()))?;
         if !canonical || statement.predicate.trail_hash.as_ref() != Some(&trail_hash) {
-            return Err(broken("TRAIL_HASH_MISMATCH".into()));
+            return Err(self.broken("TRAIL_HASH_MISMATCH".into()));
         }
-        let chain = statement.predicate.chain;
-        Ok(Chain { ledger_id: chain.ledger_id, seq: chain.seq + 1, prev: trail_hash })
+        Ok(statement)
     }
 
-    /// All records in order: for tests and for tools that look at the whole chain.
+    fn check_follows(&self, before: Option<&Statement>, after: &Statement) -> Result<()> {
+        match follows(before, after) {
+            None => Ok(()),
+            Some(code) => Err(self.broken(format!("{code} at record {}", after.predicate.chain.seq))),
+        }
+    }
+
+    fn broken(&self, found: String) -> Error {
+        Error::integrity(self.path.display().to_string())
+            .expected("a chain of records that ends as it did after the last run")
+            .found(found)
+            .advice(
+                "The ledger was changed outside Orb, so nothing was published. Keep the file for whoever looks into it, \
+                 and move its folder away to begin a new ledger. `orb audit ledger verify` says more.",
+            )
+    }
+
+    /// All records in order, for tools that look at a whole chain in memory.
     ///
     /// # Errors
     /// [`crate::Kind::Integrity`] at the first line that does not follow from the one before.
     pub fn read_chain(&self) -> Result<Vec<Statement>> {
         let bytes = std::fs::read(&self.path).map_err(|e| Error::io(&self.path, &e))?;
         let mut records: Vec<Statement> = Vec::new();
-        let mut expected: Option<Chain> = None;
-        for (number, line) in bytes.split_inclusive(|b| *b == b'\n').enumerate() {
-            let next = self.after(line)?;
-            let envelope = Envelope::parse(line).map_err(|f| Error::integrity(f.detail()))?;
-            let (statement, _) = Statement::parse(&envelope.payload).map_err(|f| Error::integrity(f.detail()))?;
-            let found = &statement.predicate.chain;
-            let wrong = match &expected {
-                None => (found.seq != 0 || found.prev != super::statement::GENESIS).then_some("CHAIN_BROKEN"),
-                Some(e) if found.ledger_id != e.ledger_id => Some("LEDGER_ID"),
-                Some(e) if found.seq != e.seq => Some("SEQ_GAP"),
-                Some(e) if found.prev != e.prev => Some("CHAIN_BROKEN"),
-                Some(_) => None,
-            };
-            if let Some(code) = wrong {
-                return Err(Error::integrity(self.path.display().to_string())
-                    .expected("each record to follow the one before")
-                    .found(format!("{code} at line {}", number + 1)));
-            }
+        for line in bytes.split_inclusive(|b| *b == b'\n') {
+            let statement = self.read_line(line)?;
+            self.check_follows(records.last(), &statement)?;
             records.push(statement);
-            expected = Some(next);
         }
         Ok(records)
     }
+}
+
+/// How `after` fails to be the record that follows `before`; `None` when it is.
+pub(super) fn follows(before: Option<&Statement>, after: &Statement) -> Option<&'static str> {
+    let found = &after.predicate.chain;
+    let Some(before) = before else {
+        return (found.seq != 0 || found.prev != GENESIS).then_some("CHAIN_BROKEN");
+    };
+    let chain = &before.predicate.chain;
+    if found.ledger_id != chain.ledger_id {
+        Some("LEDGER_ID")
+    } else if found.seq != chain.seq + 1 {
+        Some("SEQ_GAP")
+    } else {
+        (before.predicate.trail_hash.as_ref() != Some(&found.prev)).then_some("CHAIN_BROKEN")
+    }
+}
+
+fn chain_after(last: &Statement) -> Result<Chain, String> {
+    let chain = &last.predicate.chain;
+    let prev = last.predicate.trail_hash.clone().ok_or("a record without a trail hash")?;
+    Ok(Chain { ledger_id: chain.ledger_id.clone(), seq: chain.seq + 1, prev })
+}
+
+/// Reads one line with its line feed into `line`; false at the end of the file. A line longer than any record ends at
+/// that length, so that it is found to be none.
+pub(super) fn read_line_limited(reader: &mut impl std::io::BufRead, line: &mut Vec<u8>) -> std::io::Result<bool> {
+    line.clear();
+    reader.take(MAX_ENVELOPE_BYTES as u64 + 2).read_until(b'\n', line)?;
+    Ok(!line.is_empty())
+}
+
+/// The line that ends just before `end`.
+fn line_before(file: &mut File, end: u64) -> std::io::Result<Vec<u8>> {
+    let bytes = tail(file, end)?;
+    let body = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
+    let start = body.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+    Ok(bytes[start..].to_vec())
+}
+
+#[cfg(unix)]
+fn is_still_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let same = |a: std::fs::Metadata, b: std::fs::Metadata| (a.dev(), a.ino()) == (b.dev(), b.ino());
+    file.metadata().is_ok_and(|a| std::fs::metadata(path).is_ok_and(|b| same(a, b)))
+}
+
+/// Elsewhere a file that is open cannot be moved away.
+#[cfg(not(unix))]
+fn is_still_at(_: &File, _: &Path) -> bool {
+    true
 }
 
 /// A line without its end was never acknowledged and nothing was published with it: a crash, not tampering. It is
@@ -160,14 +326,6 @@ fn tail(file: &mut File, length: u64) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn last_line(file: &mut File) -> std::io::Result<Option<Vec<u8>>> {
-    let length = file.metadata()?.len();
-    let bytes = tail(file, length)?;
-    let Some(body) = bytes.strip_suffix(b"\n") else { return Ok(None) };
-    let start = body.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
-    Ok(Some(body[start..].to_vec()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,7 +335,8 @@ mod tests {
     use crate::audit::statement::Outcome;
 
     fn append(ledger: &mut Ledger) -> Result<Sealed> {
-        ledger.append(|place| record::seal(&draft(), Vec::new(), Outcome::Success, None, place, shared_key()))
+        let seal = |place| record::seal(&draft(), Vec::new(), Outcome::Success, None, place, shared_key());
+        ledger.append(shared_key(), seal, |_, _| Ok(()))
     }
 
     #[test]
@@ -225,6 +384,8 @@ mod tests {
         for cut in [whole.len() - 1, whole.len() / 2, 1] {
             for before in [&whole[..], &[]] {
                 std::fs::write(ledger.path(), [before, &whole[..cut]].concat()).unwrap();
+                // Of the records that are gone from the file now.
+                std::fs::remove_file(ledger.path().with_file_name("head.json")).unwrap();
                 append(&mut ledger).unwrap();
                 let records = ledger.read_chain().unwrap();
                 assert_eq!(records.len(), usize::from(!before.is_empty()) + 1);
@@ -254,5 +415,76 @@ mod tests {
             std::fs::write(ledger.path(), text).unwrap();
             assert_eq!(ledger.read_chain().unwrap_err().kind, Kind::Integrity);
         }
+    }
+
+    /// A kill at every step of an append, then a run that goes on: no record is lost that was acknowledged, none
+    /// stands there in half, and the head is right again.
+    #[test]
+    fn a_kill_at_every_step() {
+        use crate::audit::disk::fault::Plan;
+        for crash_at in 0.. {
+            let dir = tempfile::tempdir().unwrap();
+            let data = DataFolder::at(dir.path());
+            let mut ledger = Ledger::open(&data).unwrap();
+            append(&mut ledger).unwrap();
+            append(&mut ledger).unwrap();
+            let plan = Plan::new(crash_at, true, std::io::ErrorKind::Other);
+            let mut failing = ledger.clone().with_disk(Disk { fault: Some(plan.clone()) });
+            let acknowledged = append(&mut failing).is_ok();
+            append(&mut ledger).unwrap();
+            let records = ledger.read_chain().unwrap();
+            let last = records.last().unwrap().predicate.chain.seq;
+            assert_eq!(last + 1, records.len() as u64);
+            assert!(records.len() >= 3 + usize::from(acknowledged), "crash at {crash_at}");
+            let checkpoint = ledger.checkpoint().unwrap().unwrap();
+            assert_eq!(checkpoint.size, records.len() as u64);
+            let mut tree = Frontier::default();
+            for record in &records {
+                tree.push(checkpoint::record_leaf(record.predicate.trail_hash.as_ref().unwrap()).unwrap());
+            }
+            assert_eq!(checkpoint.root, hex::encode(tree.root()));
+            if !plan.was_hit() {
+                assert!(crash_at > 4, "the append has several steps");
+                break;
+            }
+        }
+    }
+
+    #[test]
+    fn an_append_reads_the_head_and_not_the_file() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut ledger = Ledger::open(&DataFolder::at(dir.path())).unwrap();
+        for _ in 0..4 {
+            append(&mut ledger).unwrap();
+        }
+        // Whatever the first lines hold, only verification looks at them again.
+        let mut bytes = std::fs::read(ledger.path()).unwrap();
+        bytes[..100].fill(b'x');
+        std::fs::write(ledger.path(), &bytes).unwrap();
+        assert_eq!(append(&mut ledger).unwrap().statement.predicate.chain.seq, 4);
+        // Without its head the whole file is read, and is found to be changed.
+        std::fs::remove_file(ledger.path().with_file_name("head.json")).unwrap();
+        assert_eq!(append(&mut ledger).unwrap_err().kind, Kind::Integrity);
+    }
+
+    #[test]
+    fn a_cut_or_exchanged_end_is_refused() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut ledger = Ledger::open(&DataFolder::at(dir.path())).unwrap();
+        for _ in 0..3 {
+            append(&mut ledger).unwrap();
+        }
+        let good = std::fs::read(ledger.path()).unwrap();
+        let first = good.iter().position(|b| *b == b'\n').unwrap() + 1;
+        std::fs::write(ledger.path(), &good[..first]).unwrap();
+        let error = append(&mut ledger).unwrap_err();
+        assert!(error.kind == Kind::Integrity && error.found.contains("TRUNCATED"), "{error}");
+        assert_eq!(std::fs::read(ledger.path()).unwrap(), good[..first], "left as it was");
+        std::fs::write(ledger.path(), &good).unwrap();
+        append(&mut ledger).unwrap();
+        let head = ledger.path().with_file_name("head.json");
+        let text = std::fs::read_to_string(&head).unwrap();
+        std::fs::write(&head, text.replacen("\"peaks\":[\"", "\"peaks\":[\"0", 1)).unwrap();
+        assert_eq!(append(&mut ledger).unwrap_err().kind, Kind::Integrity);
     }
 }

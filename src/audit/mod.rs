@@ -4,18 +4,23 @@
 //! sealing hashes, signs, appends to the ledger and publishes. [`verify`] checks a published folder offline. What
 //! comes out is evidence for an assessment, never the assessment.
 
+pub mod archive;
 pub mod by_hand;
 pub mod canonical;
+pub mod checkpoint;
 pub mod data_folder;
 mod disk;
 pub mod dsse;
 pub mod inband;
 pub mod keys;
 pub mod ledger;
+pub mod ledger_check;
 pub mod marking;
+pub mod merkle;
 mod pem;
 pub mod publication;
 pub mod record;
+mod record_check;
 pub mod report;
 pub mod statement;
 pub mod store_merge;

@@ -10,6 +10,7 @@ use std::fs::{self, File};
 use std::path::PathBuf;
 
 use super::canonical::{self, Json};
+use super::checkpoint::Proof;
 use super::disk::{self, Disk};
 use super::inband;
 use super::keys::SigningKey;
@@ -29,13 +30,15 @@ pub const RECORD_PAE: &str = "orb-record.pae";
 pub const RECORD_SIG: &str = "orb-record.sig";
 /// The signer's public key. It stands here for convenience; trust comes from elsewhere.
 pub const RECORD_KEY: &str = "orb-record.pub.pem";
+/// That the record stands in the signer's ledger: its place and a signed checkpoint.
+pub const RECORD_PROOF: &str = "orb-proof.tlog";
 /// The marking of everything in the folder, for files whose format has no place for one.
 pub const MARKING_SIDECAR: &str = "orb-marking.json";
 /// Before the names of subjects that stand in a store and not in the published folder.
 pub const STORE_PREFIX: &str = "store:";
 
 /// Written by the seal itself, so they cannot be among the subjects.
-pub const SEAL_FILES: [&str; 4] = [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY];
+pub const SEAL_FILES: [&str; 5] = [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF];
 
 /// Where and as what to publish.
 #[derive(Clone, Debug)]
@@ -199,30 +202,35 @@ impl Publication {
         // One order, whatever order the exporters ran in.
         self.subjects.sort_by(|a, b| a.name.cmp(&b.name));
         let subjects = self.subjects.clone();
-        let sealed = ledger.append(|next| {
-            let sealed = record::seal(draft, subjects.clone(), Outcome::Success, None, next, key)?;
-            self.write_seal(&sealed, key)?;
-            Ok(sealed)
-        })?;
+        let sealed = ledger.append(
+            key,
+            |next| record::seal(draft, subjects.clone(), Outcome::Success, None, next, key),
+            |sealed, proof| self.write_seal(sealed, proof, key),
+        )?;
         if let Err(error) = self.publish() {
             // The ledger says that the run succeeded: the next record corrects it.
             let mut draft = draft.clone();
             draft.event_random[9] ^= 1;
-            let _ = ledger
-                .append(|next| record::seal(&draft, subjects, Outcome::Failure, Some("PUBLISH_FAILED"), next, key));
+            let correct = |next| record::seal(&draft, subjects, Outcome::Failure, Some("PUBLISH_FAILED"), next, key);
+            let _ = ledger.append(key, correct, |_, _| Ok(()));
             return Err(error);
         }
         Ok(self.into_published(sealed, key))
     }
 
-    fn write_seal(&self, sealed: &Sealed, key: &SigningKey) -> Result<()> {
+    fn write_seal(&self, sealed: &Sealed, proof: &Proof, key: &SigningKey) -> Result<()> {
         let line = sealed.envelope.to_line();
+        let proof = proof.to_line();
         let pae = sealed.envelope.pae();
         let sig = sealed.envelope.signatures.first().map(|s| s.sig.as_slice()).unwrap_or_default();
         let pem = key.public().to_pem();
-        for (name, bytes) in
-            [(RECORD, line.as_slice()), (RECORD_PAE, &pae), (RECORD_SIG, sig), (RECORD_KEY, pem.as_bytes())]
-        {
+        for (name, bytes) in [
+            (RECORD, line.as_slice()),
+            (RECORD_PAE, &pae),
+            (RECORD_SIG, sig),
+            (RECORD_KEY, pem.as_bytes()),
+            (RECORD_PROOF, &proof),
+        ] {
             self.disk.write_new(&self.staging.join(name), bytes).map_err(|e| self.in_words(name, e))?;
         }
         for entry in disk::walk(&self.staging)?.iter().filter(|e| e.is_dir) {

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::trust::TrustStore;
 use crate::Kind;
 
 pub const SCHEMA: &str = "orb.verify/v1";
@@ -90,9 +91,12 @@ impl Finding {
 
 fn weight(code: &str) -> (Severity, Verdict) {
     match code {
-        "INPUT_MISSING" | "STORE_NOT_CHECKED" | "TIME_UNSYNCED" | "TAIL_UNANCHORED" => (Severity::Note, Verdict::Pass),
-        "OUTPUT_EXTRA" | "KEY_SHORT" | "SEAL_FILE_MISSING" => (Severity::Warning, Verdict::Pass),
-        "RECORD_MISSING" | "TRUST_STORE_EMPTY" => (Severity::Error, Verdict::Incomplete),
+        "INPUT_MISSING" | "STORE_NOT_CHECKED" | "TIME_UNSYNCED" | "TAIL_UNANCHORED" | "LEDGER_OPEN"
+        | "FOLDER_NOT_FOUND" => (Severity::Note, Verdict::Pass),
+        "OUTPUT_EXTRA" | "KEY_SHORT" | "SEAL_FILE_MISSING" | "PROOF_MISSING" | "INCOMPLETE_APPEND" => {
+            (Severity::Warning, Verdict::Pass)
+        }
+        "RECORD_MISSING" | "TRUST_STORE_EMPTY" | "ANCHOR_REQUIRED" => (Severity::Error, Verdict::Incomplete),
         "ALG_REFUSED" | "MARKING_UNSUPPORTED" => (Severity::Error, Verdict::Refused),
         _ => (Severity::Error, Verdict::Fail),
     }
@@ -104,7 +108,7 @@ fn controls(code: &str) -> &'static [&'static str] {
         | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
         "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" => &["au-9.3", "au-10"],
         "ALG_REFUSED" | "KEY_SHORT" => &["sc-13"],
-        "TIME_FUTURE" | "TIME_UNSYNCED" => &["au-8"],
+        "TIME_FUTURE" | "TIME_UNSYNCED" | "TIME_ROLLBACK" => &["au-8"],
         "MARKING_DOWNGRADE" | "MARKING_INBAND_MISMATCH" | "MARKING_UNSUPPORTED" => &["mp-3", "ac-16"],
         "SCHEMA_INVALID" | "TYPE_UNSUPPORTED" | "RECORD_MISSING" => &["au-3", "au-12"],
         _ => &["au-9.3"],
@@ -139,6 +143,26 @@ fn hint(code: &str) -> &'static str {
         "TIME_FUTURE" => "One of the two clocks is wrong.",
         "TIME_UNSYNCED" => "The signer's clock was not known to agree with UTC.",
         "TAIL_UNANCHORED" => "A signature shows who and what, not that no later record was cut off.",
+        "PROOF_MISSING" => "Only the ledger shows that the record stands in it.",
+        "PROOF_INVALID" => "The file beside the record does not show that the record stands in its signer's ledger.",
+        "SEQ_GAP" => "A record was removed, moved or added.",
+        "CHAIN_BROKEN" => "The record before this one is not the one that this record was made after.",
+        "REPLAY" => "The same event stands twice.",
+        "TIME_ROLLBACK" => "The clock was set back between two records, or one of them states a wrong time.",
+        "TRUNCATED" => "Records were cut off the end. Look for a copy that is longer.",
+        "HEAD_FORK" => {
+            "A checkpoint was signed over other records than these: the ledger was rewritten by someone who holds its key."
+        }
+        "INCOMPLETE_APPEND" => {
+            "A run was killed while it wrote. Nothing was published with it; the next run sets it aside."
+        }
+        "LEDGER_OPEN" => "The ledger goes on; its last record is no `ledger.close`.",
+        "ANCHOR_REQUIRED" => "Name a checkpoint that was kept elsewhere with --checkpoint.",
+        "NOT_IN_LEDGER" => {
+            "The folder's record is in no ledger that was given: the ledger lost it, or another one holds it."
+        }
+        "FOLDER_NOT_FOUND" => "The ledger has a record whose folder is not among those that were given.",
+        "TOO_MANY_FINDINGS" => "What is wrong is wrong throughout; the rest is not listed.",
         "KEY_SHORT" => "3072 bits or more are advised.",
         _ => "",
     }
@@ -170,7 +194,7 @@ pub struct Report {
     pub exit_code: u8,
     pub ledger_id: Option<String>,
     pub range: Option<Range>,
-    /// The last record that a checkpoint kept elsewhere covers: none yet.
+    /// The last record that a checkpoint kept elsewhere covers.
     pub anchored_through: Option<u64>,
     pub trust_store_sha256: String,
     pub signed_by: Option<String>,
@@ -182,22 +206,62 @@ pub struct Report {
 }
 
 impl Report {
+    /// A report that has found nothing yet.
+    pub(super) fn new(trust: &TrustStore) -> Report {
+        Report {
+            schema: SCHEMA,
+            verdict: Verdict::Pass,
+            exit_code: 0,
+            ledger_id: None,
+            range: None,
+            anchored_through: None,
+            trust_store_sha256: trust.sha256(),
+            signed_by: None,
+            trail_hash: None,
+            time: None,
+            counts: Counts::default(),
+            findings: Vec::new(),
+            marking: None,
+        }
+    }
+
     /// Orders the findings, counts them and draws the verdict. `strict` makes warnings count.
     pub(super) fn conclude(&mut self, strict: bool) {
         for finding in &mut self.findings {
-            finding.seq = self.range.map(|r| r.first);
+            if self.counts.records == 1 {
+                finding.seq = self.range.map(|r| r.first);
+            }
             if strict && finding.severity == Severity::Warning {
                 finding.severity = Severity::Error;
                 finding.verdict = Verdict::Fail;
             }
         }
-        self.findings.sort_by(|a, b| (a.code, &a.subject).cmp(&(b.code, &b.subject)));
+        self.findings.sort_by(|a, b| (a.seq, a.code, &a.subject).cmp(&(b.seq, b.code, &b.subject)));
         self.findings.dedup();
         let count = |severity| self.findings.iter().filter(|f| f.severity == severity).count() as u64;
         (self.counts.errors, self.counts.warnings, self.counts.notes) =
             (count(Severity::Error), count(Severity::Warning), count(Severity::Note));
         self.verdict = self.findings.iter().map(|f| f.verdict).max().unwrap_or(Verdict::Pass);
         self.exit_code = self.verdict.exit_code();
+    }
+
+    /// The verdict sentence of a pass: of a folder, of a ledger, of folders against a ledger.
+    fn what_passed(&self) -> String {
+        let c = &self.counts;
+        match (self.range, c.outputs_listed) {
+            (Some(_), 1..) => format!(
+                "the signature is good and {} of {} outputs are what was sealed",
+                c.outputs_verified, c.outputs_listed
+            ),
+            (Some(range), 0) => format!(
+                "{} records verified, {} anchored",
+                c.records,
+                self.anchored_through.map_or(0, |a| a + 1 - range.first)
+            ),
+            (None, _) => {
+                format!("{} of {} published folders stand in the ledger", c.outputs_verified, c.outputs_listed)
+            }
+        }
     }
 
     /// One line of JSON.
@@ -213,10 +277,7 @@ impl Report {
         let banner = self.marking.as_deref().map(|m| format!("{m}\n")).unwrap_or_default();
         out.push_str(&banner);
         let sentence = match self.verdict {
-            Verdict::Pass => format!(
-                "PASS: the signature is good and {} of {} outputs are what was sealed",
-                c.outputs_verified, c.outputs_listed
-            ),
+            Verdict::Pass => format!("PASS: {}", self.what_passed()),
             Verdict::Incomplete => "INCOMPLETE: something needed for a verdict is missing".to_owned(),
             Verdict::Refused => "REFUSED: policy does not accept this record".to_owned(),
             Verdict::Fail => {
@@ -238,8 +299,24 @@ impl Report {
                 let _ = writeln!(out, "  {name:<12}{value}");
             }
         }
-        if let Some(range) = self.range {
-            let _ = writeln!(out, "  {:<12}{}, tail unanchored", "record", range.first);
+        match (self.range, self.anchored_through) {
+            (None, _) => {}
+            (Some(range), _) if c.outputs_listed > 0 => {
+                let _ = writeln!(out, "  {:<12}{}, tail unanchored", "record", range.first);
+            }
+            (Some(range), None) => {
+                let _ = writeln!(out, "  {:<12}{} to {}, none anchored", "records", range.first, range.last);
+            }
+            (Some(range), Some(anchored)) => {
+                let _ = writeln!(
+                    out,
+                    "  {:<12}{} to {}, anchored through {anchored}, {} after it not",
+                    "records",
+                    range.first,
+                    range.last,
+                    range.last.saturating_sub(anchored)
+                );
+            }
         }
         let _ = writeln!(out, "  {:<12}{}", "trust store", self.trust_store_sha256);
         for severity in [Severity::Error, Severity::Warning, Severity::Note] {

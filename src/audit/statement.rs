@@ -214,6 +214,18 @@ pub struct Tool {
     pub binary_sha256: Option<String>,
 }
 
+impl Tool {
+    /// This program.
+    pub fn of_this_binary() -> Tool {
+        Tool {
+            name: "orb".into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
+            ..Tool::default()
+        }
+    }
+}
+
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Crypto {

@@ -8,22 +8,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::canonical::Fault;
-use super::disk::{self};
+use super::checkpoint::{Checkpoint, Proof};
+use super::disk;
 use super::dsse::{Envelope, MAX_ENVELOPE_BYTES, PAYLOAD_TYPE};
 use super::inband;
-use super::keys::{ADVISED_BITS, ALGORITHM, PublicKey};
+use super::keys::PublicKey;
 use super::marking::Marking;
 use super::pem;
-use super::publication::{RECORD, RECORD_KEY, RECORD_PAE, RECORD_SIG, SEAL_FILES, STORE_PREFIX};
+use super::publication::{RECORD, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, SEAL_FILES, STORE_PREFIX};
 use super::record;
-use super::report::{Counts, Finding, Range, Report, SCHEMA, Verdict};
-use super::statement::{GENESIS, Statement, Subject};
-use super::time::{self, SyncStatus};
+use super::record_check::{check_fields, check_signatures, read_statement};
+use super::report::{Counts, Finding, Range, Report};
+use super::statement::{Statement, Subject};
 use super::trust::TrustStore;
 use crate::{Error, Result};
 
-/// How far a record's time may lie ahead of this machine's clock, milliseconds.
-const FUTURE_SKEW_MS: u64 = 5 * 60 * 1000;
 /// Files beyond this size are hashed, but not searched for a marking.
 const MAX_INBAND_BYTES: u64 = 1 << 30;
 
@@ -53,29 +52,17 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
         return Err(Error::usage(request.folder.display().to_string()).expected("a published folder").found("a file"));
     }
     let mut found = Vec::new();
-    let mut report = Report {
-        schema: SCHEMA,
-        verdict: Verdict::Pass,
-        exit_code: 0,
-        ledger_id: None,
-        range: None,
-        anchored_through: None,
-        trust_store_sha256: request.trust.sha256(),
-        signed_by: None,
-        trail_hash: None,
-        time: None,
-        counts: Counts::default(),
-        findings: Vec::new(),
-        marking: None,
-    };
+    let mut report = Report::new(request.trust);
     if let Some(envelope) = read_envelope(request.folder, &mut found)? {
-        let signer = check_signatures(&envelope, request.trust, &mut found);
+        let signer = check_signatures(&envelope, request.trust, RECORD, &mut found);
         check_seal_files(request.folder, &envelope, &mut found)?;
-        if let Some(statement) = read_statement(&envelope, &mut found) {
-            check_fields(&statement, signer, request.now_ms, &mut found);
+        if let Some(statement) = read_statement(&envelope, RECORD, &mut found) {
+            check_fields(&statement, signer, request.now_ms, RECORD, &mut found);
+            check_proof(request, &statement, &mut found)?;
             report.counts = check_files(request, &statement, &mut found)?;
             report.counts.records = 1;
             if let Some(signer) = signer {
+                found.push(Finding::new("TAIL_UNANCHORED", RECORD));
                 let p = &statement.predicate;
                 report.ledger_id = Some(p.chain.ledger_id.clone());
                 report.range = Some(Range { first: p.chain.seq, last: p.chain.seq });
@@ -150,56 +137,6 @@ fn read_envelope(folder: &Path, found: &mut Vec<Finding>) -> Result<Option<Envel
     Ok(Some(envelope))
 }
 
-/// The key that verified; every signature must be good.
-fn check_signatures<'a>(envelope: &Envelope, trust: &'a TrustStore, found: &mut Vec<Finding>) -> Option<&'a PublicKey> {
-    let message = envelope.pae();
-    let mut signer = None;
-    let mut all_good = true;
-    for signature in &envelope.signatures {
-        let Some(key) = trust.get(&signature.keyid) else {
-            let code = if trust.is_empty() { "TRUST_STORE_EMPTY" } else { "KEY_UNTRUSTED" };
-            found.push(
-                Finding::new(code, RECORD)
-                    .expected("a signature by a trusted key")
-                    .actual(record::printable(&signature.keyid)),
-            );
-            all_good = false;
-            continue;
-        };
-        match key.verify(&message, &signature.sig) {
-            Ok(true) => signer = Some(key),
-            Ok(false) => {
-                found.push(
-                    Finding::new("SIG_INVALID", RECORD).expected(format!("a signature by {}", key.fingerprint())),
-                );
-                all_good = false;
-            }
-            Err(disagreement) => {
-                found.push(
-                    Finding::new("SIG_INVALID", RECORD).expected("two implementations that agree").actual(disagreement),
-                );
-                all_good = false;
-            }
-        }
-    }
-    signer.filter(|_| all_good)
-}
-
-fn read_statement(envelope: &Envelope, found: &mut Vec<Finding>) -> Option<Statement> {
-    match Statement::parse(&envelope.payload) {
-        Ok((statement, canonical)) => {
-            if !canonical {
-                found.push(Finding::new("NOT_CANONICAL", RECORD).expected("the one spelling of this record"));
-            }
-            Some(statement)
-        }
-        Err(fault) => {
-            found.push(Finding::new(fault.code(), RECORD).expected("a record of version 1").actual(fault.detail()));
-            None
-        }
-    }
-}
-
 /// The files for verification by hand must say the same as the record.
 fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>) -> Result<()> {
     let keyids: Vec<&str> = envelope.signatures.iter().map(|s| s.keyid.as_str()).collect();
@@ -235,79 +172,45 @@ fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>
     Ok(())
 }
 
-fn check_fields(statement: &Statement, signer: Option<&PublicKey>, now_ms: u64, found: &mut Vec<Finding>) {
-    let p = &statement.predicate;
-    let trail_hash = statement.trail_hash().unwrap_or_default();
-    if p.trail_hash.as_deref() != Some(trail_hash.as_str()) {
-        let stated = p.trail_hash.clone().unwrap_or_default();
-        found.push(Finding::new("TRAIL_HASH_MISMATCH", RECORD).expected(trail_hash).actual(stated));
-    }
-    if p.actor.algorithm != ALGORITHM {
-        found.push(Finding::new("ALG_REFUSED", "actor.algorithm").expected(ALGORITHM).actual(&p.actor.algorithm));
-    }
-    if let Some(signer) = signer {
-        if p.actor.key_fingerprint != signer.fingerprint() {
-            found.push(
-                Finding::new("SIGNER_MISMATCH", "actor.key_fingerprint")
-                    .expected(signer.fingerprint())
-                    .actual(&p.actor.key_fingerprint),
-            );
+/// The proof that the record stands in its ledger, where there is one.
+fn check_proof(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+    let path = request.folder.join(RECORD_PROOF);
+    match fs::symlink_metadata(&path) {
+        Err(_) => found.push(Finding::new("PROOF_MISSING", RECORD_PROOF)),
+        Ok(metadata) if metadata.is_file() && metadata.len() <= MAX_ENVELOPE_BYTES as u64 => {
+            let bytes = disk::read_limited(&path, MAX_ENVELOPE_BYTES as u64)?;
+            if let Err(why) = prove(&bytes, request.trust, statement, found) {
+                found.push(
+                    Finding::new("PROOF_INVALID", RECORD_PROOF)
+                        .expected("the record's place in its ledger")
+                        .actual(why),
+                );
+            }
         }
-        if signer.bits() < ADVISED_BITS {
-            found.push(Finding::new("KEY_SHORT", "signing key").actual(format!("{} bits", signer.bits())));
-        }
-        found.push(Finding::new("TAIL_UNANCHORED", RECORD));
+        // The walk over the folder reports a link.
+        Ok(_) => found.push(Finding::new("PROOF_INVALID", RECORD_PROOF).expected("a small plain file")),
     }
-    if (p.chain.seq == 0) != (p.chain.prev == GENESIS) {
-        found.push(Finding::new("CHAIN_BROKEN", "chain.prev").actual(format!("{} at {}", p.chain.prev, p.chain.seq)));
-    }
-    if p.chain.seq == 0 {
-        let expected = record::ledger_id(&p.event.id, &p.actor.key_fingerprint);
-        if p.chain.ledger_id != expected {
-            found.push(Finding::new("LEDGER_ID", "chain.ledger_id").expected(expected).actual(&p.chain.ledger_id));
-        }
-    }
-    if time::parse_utc(&p.time.utc).is_none_or(|t| t > now_ms.saturating_add(FUTURE_SKEW_MS)) {
-        found.push(
-            Finding::new("TIME_FUTURE", "time.utc")
-                .expected(format!("not after {}", time::format_utc(now_ms)))
-                .actual(&p.time.utc),
-        );
-    }
-    if p.time.sync_status != SyncStatus::Synchronised {
-        found.push(Finding::new("TIME_UNSYNCED", "time.sync_status").actual(match p.time.sync_status {
-            SyncStatus::Unsynchronised => "unsynchronised",
-            _ => "unknown",
-        }));
-    }
-    check_marking(statement, found);
+    Ok(())
 }
 
-fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
-    let block = &statement.predicate.marking;
-    let unsupported = |field: &str, text: &str| Finding::new("MARKING_UNSUPPORTED", field).actual(text);
-    let Ok(marking) = Marking::parse(&block.banner) else {
-        found.push(unsupported("marking.banner", &block.banner));
-        return;
-    };
-    if block.ism.classification != marking.ism_classification() {
-        found.push(
-            Finding::new("MARKING_INBAND_MISMATCH", "marking.ism.classification")
-                .expected(marking.ism_classification())
-                .actual(&block.ism.classification),
-        );
+fn prove(bytes: &[u8], trust: &TrustStore, statement: &Statement, found: &mut Vec<Finding>) -> Result<(), String> {
+    let words = |fault: Fault| fault.detail().to_owned();
+    let proof = Proof::parse(bytes).map_err(words)?;
+    let envelope = proof.envelope().map_err(words)?;
+    let checkpoint = Checkpoint::parse(&envelope).map_err(words)?;
+    // Where no key is trusted, the record's own signature says so.
+    if !trust.is_empty() {
+        check_signatures(&envelope, trust, RECORD_PROOF, found);
     }
-    let sources =
-        statement.predicate.inputs.iter().filter_map(|i| i.marking.as_deref()).chain(block.inputs_join.as_deref());
-    for text in sources {
-        match Marking::parse(text) {
-            Err(_) => found.push(unsupported("inputs.marking", text)),
-            Ok(level) if level > marking => found.push(
-                Finding::new("MARKING_DOWNGRADE", "marking.banner").expected(level.banner()).actual(marking.banner()),
-            ),
-            Ok(_) => {}
-        }
+    let p = &statement.predicate;
+    if checkpoint.ledger_id != p.chain.ledger_id || proof.index != p.chain.seq {
+        return Err(format!("record {} of ledger {}", proof.index, checkpoint.ledger_id));
     }
+    let root = proof.root(p.trail_hash.as_deref().unwrap_or_default(), checkpoint.size);
+    if root.map(hex::encode).as_deref() != Some(checkpoint.root.as_str()) {
+        return Err("another record's path, or another tree's root".into());
+    }
+    Ok(())
 }
 
 fn check_files(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<Counts> {

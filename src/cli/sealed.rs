@@ -69,12 +69,7 @@ impl SealedRun {
             inputs: evidence.inputs,
             models: evidence.models,
             params: evidence.params,
-            tool: Tool {
-                name: "orb".into(),
-                version: env!("CARGO_PKG_VERSION").into(),
-                target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
-                ..Default::default()
-            },
+            tool: Tool::of_this_binary(),
             marking: self.marking,
             notes: None,
         };

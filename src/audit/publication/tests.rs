@@ -48,6 +48,7 @@ fn a_published_folder() {
         [
             "out",
             "out/orb-marking.json",
+            "out/orb-proof.tlog",
             "out/orb-record.dsse.json",
             "out/orb-record.pae",
             "out/orb-record.pub.pem",

@@ -6,10 +6,11 @@ use crate::Kind;
 use crate::audit::dsse::{self, Signature};
 use crate::audit::keys::SigningKey;
 use crate::audit::keys::tests::{other_key, shared_key};
+use crate::audit::merkle::{self, Frontier};
 use crate::audit::publication::MARKING_SIDECAR;
 use crate::audit::publication::tests::{destination, fill, ledger, ply, publish};
-use crate::audit::record::tests::draft;
-use crate::audit::report::Severity;
+use crate::audit::record::{Sealed, tests::draft};
+use crate::audit::report::{Severity, Verdict};
 use crate::audit::store_merge::{lock_store, merge_into_store};
 use crate::audit::{Publication, canonical};
 
@@ -53,6 +54,17 @@ fn sign_payload(folder: &Path, payload: &[u8], keyid: &str, key: &SigningKey) {
     fs::write(folder.join(RECORD_PAE), pae).unwrap();
     fs::write(folder.join(RECORD_SIG), sig).unwrap();
     fs::write(folder.join(RECORD_KEY), key.public().to_pem()).unwrap();
+    fs::remove_file(folder.join(RECORD_PROOF)).unwrap();
+    if let Ok((statement, _)) = Statement::parse(payload) {
+        // A proof that fits what the record states, as its ledger's owner could make.
+        let mut before = Frontier::default();
+        (0..statement.predicate.chain.seq).for_each(|i| before.push(merkle::leaf(&i.to_be_bytes())));
+        let trail_hash = statement.predicate.trail_hash.clone().unwrap();
+        let proof = Proof::of_next(&before, &Sealed { statement, envelope, trail_hash }, key).unwrap();
+        fs::write(folder.join(RECORD_PROOF), proof.to_line()).unwrap();
+    } else {
+        fs::write(folder.join(RECORD_PROOF), "").unwrap();
+    }
 }
 
 fn payload(folder: &Path) -> Value {
@@ -276,6 +288,17 @@ fn missing_and_added_files() {
     let strict = verify(&Request { strict: true, ..request(&out, &trust) }).unwrap();
     assert_eq!(strict.exit_code, 1);
     fs::remove_file(out.join("van.cdb/extra.flt")).unwrap();
+
+    let proof = fs::read(out.join(RECORD_PROOF)).unwrap();
+    fs::remove_file(out.join(RECORD_PROOF)).unwrap();
+    assert_eq!(codes(&check(&out)), ["PROOF_MISSING"]);
+    // Another record's proof: signed by the same key, and no proof of this one.
+    let (_other_dir, other) = published();
+    forge(&other, shared_key(), |v| v["predicate"]["params"]["seed"] = json!(8));
+    fs::copy(other.join(RECORD_PROOF), out.join(RECORD_PROOF)).unwrap();
+    assert_eq!(codes(&check(&out)), ["PROOF_INVALID"]);
+    fs::write(out.join(RECORD_PROOF), proof).unwrap();
+    assert_eq!(codes(&check(&out)), [""; 0]);
 
     fs::remove_file(out.join(RECORD_SIG)).unwrap();
     assert_eq!(codes(&check(&out)), ["SEAL_FILE_MISSING"]);

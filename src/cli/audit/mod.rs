@@ -1,4 +1,6 @@
-//! `orb audit`: verify a published folder, show its record, make a key.
+//! `orb audit`: verify a published folder, show its record, make a key, look after the ledger.
+
+mod ledger;
 
 use std::path::PathBuf;
 
@@ -25,6 +27,8 @@ pub enum AuditVerb {
     Show(ShowArgs),
     /// Make a signing key: FILE (private, mode 0600) and FILE.pub.pem
     Keygen(KeygenArgs),
+    /// Verify, checkpoint, archive and reconcile the ledger of all records
+    Ledger(ledger::LedgerArgs),
 }
 
 #[derive(Debug, Args)]
@@ -86,6 +90,7 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Verify(args) => verify(args, data),
         AuditVerb::Show(args) => show(args, data),
         AuditVerb::Keygen(args) => keygen(args),
+        AuditVerb::Ledger(args) => ledger::run(args, data),
     }
 }
 

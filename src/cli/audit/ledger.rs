@@ -1,0 +1,224 @@
+//! `orb audit ledger`: verify a ledger, sign a checkpoint of it, archive it, compare folders with it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+
+use super::Outcome;
+use crate::audit::keys::{self, KeySource};
+use crate::audit::ledger_check::{self, LedgerRequest};
+use crate::audit::{DataFolder, Ledger, Marking, SigningKey, TrustStore, archive, time};
+use crate::{Error, Result};
+
+#[derive(Debug, Args)]
+pub struct LedgerArgs {
+    #[command(subcommand)]
+    pub verb: LedgerVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum LedgerVerb {
+    /// Check every record of a ledger, its chain, and the checkpoints that were kept of it
+    Verify(VerifyArgs),
+    /// Sign a checkpoint of this user's ledger, to be kept elsewhere: on paper, on another machine
+    Checkpoint(CheckpointArgs),
+    /// Close this user's ledger and move it away whole; the next record begins a new one
+    Archive(ArchiveArgs),
+    /// Check that every published folder below some folders stands in the ledger
+    Reconcile(ReconcileArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct VerifyArgs {
+    /// The ledger's file or folder; this user's own unless given
+    pub ledger: Option<PathBuf>,
+    /// A checkpoint that was kept elsewhere (may be given several times)
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Vec<PathBuf>,
+    /// Without a checkpoint that covers the last record there is no verdict (exit 3)
+    #[arg(long)]
+    pub require_anchor: bool,
+    /// Trust this public key (PEM) for this run, beside those of the user's trust store
+    #[arg(long, value_name = "FILE")]
+    pub trust_key: Vec<PathBuf>,
+    /// Let warnings fail the verification
+    #[arg(long)]
+    pub strict: bool,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckpointArgs {
+    /// The checkpoint's file; it must not exist
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Sign with this key (PKCS#8 PEM) and not with the user's own
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct ArchiveArgs {
+    /// The folder to make; it must not exist
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Sign with this key (PKCS#8 PEM) and not with the user's own
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct ReconcileArgs {
+    /// Folders in which Orb published
+    #[arg(required = true)]
+    pub folders: Vec<PathBuf>,
+    /// The ledger's file or folder; this user's own unless given
+    #[arg(long, value_name = "LEDGER")]
+    pub ledger: Option<PathBuf>,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn run(args: &LedgerArgs, data: &DataFolder) -> Result<Outcome> {
+    match &args.verb {
+        LedgerVerb::Verify(args) => verify(args, data),
+        LedgerVerb::Checkpoint(args) => checkpoint(args, data),
+        LedgerVerb::Archive(args) => archive_ledger(args, data),
+        LedgerVerb::Reconcile(args) => reconcile(args, data),
+    }
+}
+
+fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
+    let report = ledger_check::verify_ledger(&LedgerRequest {
+        ledger: &ledger_path(args.ledger.as_deref(), data),
+        trust: &TrustStore::load(data, &args.trust_key)?,
+        checkpoints: &args.checkpoint,
+        require_anchor: args.require_anchor,
+        now_ms: time::now()?.unix_ms,
+        strict: args.strict,
+    })?;
+    let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
+    Ok(Outcome { text, exit_code: report.exit_code })
+}
+
+fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
+    let key = key(args.key.as_deref(), data)?;
+    let made = Ledger::at(ledger_path(None, data)).checkpoint()?.ok_or_else(|| {
+        Error::incomplete("the ledger")
+            .expected("at least one record")
+            .found("none")
+            .advice("There is nothing to anchor.")
+    })?;
+    let line = made.sign(&key)?.to_line();
+    new_file(&args.output, &line)?;
+    let text = format!(
+        "{}\n  ledger {}, {} records through {}\n  root   {}\n  head   {}\n  Keep it where the ledger's owner cannot \
+         change it; the root alone, on paper, serves too.\n",
+        args.output.display(),
+        made.ledger_id,
+        made.size,
+        made.utc,
+        made.root,
+        made.head
+    );
+    Ok(Outcome { text, exit_code: 0 })
+}
+
+fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
+    let key = key(args.key.as_deref(), data)?;
+    let mut random = [0; 10];
+    getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
+    let ledger = Ledger::at(ledger_path(None, data));
+    let closed = archive::close(ledger, &args.output, &key, time::now()?, random)?;
+    let text = format!(
+        "{}\n  ledger {}, closed after {} records\n  The next record begins a new ledger.\n",
+        args.output.display(),
+        closed.ledger_id,
+        closed.size
+    );
+    Ok(Outcome { text, exit_code: 0 })
+}
+
+fn reconcile(args: &ReconcileArgs, data: &DataFolder) -> Result<Outcome> {
+    let ledger = ledger_path(args.ledger.as_deref(), data);
+    let report = ledger_check::reconcile(&ledger, &args.folders, &TrustStore::load(data, &[])?)?;
+    let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
+    Ok(Outcome { text, exit_code: report.exit_code })
+}
+
+fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
+    ledger_check::ledger_file(&named.map_or_else(|| data.path().join("ledger"), Path::to_owned))
+}
+
+/// The named key, else the user's own.
+fn key(named: Option<&Path>, data: &DataFolder) -> Result<SigningKey> {
+    match named {
+        Some(path) => SigningKey::load(path, KeySource::NamedFile),
+        None => Ok(keys::for_marking(data, Marking::Unclassified, None)?.key),
+    }
+}
+
+fn new_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    use std::io::Write as _;
+    let write = || {
+        let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;
+        file.write_all(bytes)?;
+        file.sync_all()
+    };
+    write().map_err(|e: std::io::Error| {
+        let error = Error::io(path, &e);
+        if e.kind() == std::io::ErrorKind::AlreadyExists { error.expected("a new file") } else { error }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+    use crate::audit::publication::tests::publish;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        ledger: LedgerArgs,
+    }
+
+    fn orb_audit_ledger(data: &DataFolder, words: &[&str]) -> Result<Outcome> {
+        run(&Line::try_parse_from([&["ledger"], words].concat()).unwrap().ledger, data)
+    }
+
+    #[test]
+    fn checkpoint_verify_reconcile_and_archive() {
+        let dir = tempfile::tempdir().unwrap();
+        let published = publish(dir.path());
+        let data = DataFolder::at(dir.path().join("data"));
+        let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+        let signer = path("out/orb-record.pub.pem");
+        let kept = path("kept.json");
+        let made = orb_audit_ledger(&data, &["checkpoint", "-o", &kept]).unwrap();
+        assert!(made.text.contains(&published.trail_hash), "{}", made.text);
+        assert_eq!(orb_audit_ledger(&data, &["checkpoint", "-o", &kept]).unwrap_err().expected, "a new file");
+
+        let words = ["verify", "--trust-key", &signer, "--checkpoint", &kept, "--require-anchor", "--json"];
+        let report = orb_audit_ledger(&data, &words).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&report.text).unwrap();
+        assert_eq!((&value["anchored_through"], report.exit_code), (&serde_json::json!(0), 0), "{}", report.text);
+
+        let report = orb_audit_ledger(&data, &["reconcile", &path("")]).unwrap();
+        assert!(report.text.contains("1 of 1 published folders") && report.exit_code == 0, "{}", report.text);
+
+        let archive = path("archive");
+        let closed = orb_audit_ledger(&data, &["archive", "-o", &archive]).unwrap();
+        assert!(closed.text.contains("closed after 2 records"), "{}", closed.text);
+        let anchor = path("archive/checkpoint.dsse.json");
+        let words = ["verify", &archive, "--trust-key", &signer, "--checkpoint", &anchor, "--require-anchor"];
+        let report = orb_audit_ledger(&data, &words).unwrap();
+        assert!(report.text.contains("2 records verified, 2 anchored") && report.exit_code == 0, "{}", report.text);
+        assert_eq!(orb_audit_ledger(&data, &["verify"]).unwrap_err().kind, crate::Kind::Incomplete);
+    }
+}
