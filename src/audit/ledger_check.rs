@@ -368,4 +368,4 @@ pub fn ledger_file(path: &Path) -> PathBuf {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

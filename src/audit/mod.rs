@@ -24,6 +24,8 @@ mod record_check;
 pub mod report;
 pub mod statement;
 pub mod store_merge;
+#[cfg(test)]
+mod tamper_corpus;
 pub mod time;
 pub mod trust;
 pub mod verify;

@@ -342,4 +342,4 @@ fn check_inputs(files: &[PathBuf], statement: &Statement, found: &mut Vec<Findin
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

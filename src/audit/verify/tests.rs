@@ -45,7 +45,7 @@ fn codes(report: &Report) -> Vec<&'static str> {
 }
 
 /// Writes `payload` as a record that `key` signed, with everything beside it.
-fn sign_payload(folder: &Path, payload: &[u8], keyid: &str, key: &SigningKey) {
+pub(crate) fn sign_payload(folder: &Path, payload: &[u8], keyid: &str, key: &SigningKey) {
     let pae = dsse::pae(PAYLOAD_TYPE, payload);
     let sig = key.sign(&pae).unwrap();
     let signatures = vec![Signature { keyid: keyid.into(), sig: sig.clone() }];
@@ -67,13 +67,13 @@ fn sign_payload(folder: &Path, payload: &[u8], keyid: &str, key: &SigningKey) {
     }
 }
 
-fn payload(folder: &Path) -> Value {
+pub(crate) fn payload(folder: &Path) -> Value {
     let bytes = fs::read(folder.join(RECORD)).unwrap();
     serde_json::from_slice(&Envelope::parse(&bytes).unwrap().payload).unwrap()
 }
 
 /// Changes the record and signs it again properly: what the holder of the key could do.
-fn forge(folder: &Path, key: &SigningKey, change: impl FnOnce(&mut Value)) {
+pub(crate) fn forge(folder: &Path, key: &SigningKey, change: impl FnOnce(&mut Value)) {
     let mut value = payload(folder);
     change(&mut value);
     let predicate = value["predicate"].as_object_mut().unwrap();
