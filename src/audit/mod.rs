@@ -11,6 +11,7 @@ pub mod checkpoint;
 pub mod data_folder;
 mod disk;
 pub mod dsse;
+pub mod events;
 pub mod inband;
 pub mod keys;
 pub mod ledger;

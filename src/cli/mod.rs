@@ -16,7 +16,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Parser, Subcommand};
 
-use crate::audit::DataFolder;
+use crate::audit::statement::Outcome::Failure;
+use crate::audit::{DataFolder, events};
 
 /// One photo becomes a 3D model that a simulator loads at the right place on the Earth, with a marking, a signed
 /// record and no network.
@@ -62,6 +63,11 @@ pub fn main() -> ExitCode {
     if let Err(e) = ctrlc::set_handler(move || handler.store(true, Ordering::Relaxed)) {
         eprintln!("orb: warning: no interrupt handler: {e}");
     }
+    let command = match &cli.verb {
+        Verb::Geo(_) => Some("orb geo"),
+        Verb::Render(_) => Some("orb render"),
+        Verb::Bench(_) | Verb::Audit(_) => None,
+    };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
         Verb::Render(args) => render::publish(&args, &stop),
@@ -79,8 +85,21 @@ pub fn main() -> ExitCode {
         Ok(code) => ExitCode::from(code),
         Err(e) => {
             eprintln!("orb: {e}");
+            if let Some(command) = command {
+                record_failure(command, &e);
+            }
             ExitCode::from(e.kind.exit_code())
         }
+    }
+}
+
+/// A failed run is an event too. What went wrong with recording it never hides what went wrong with the run.
+fn record_failure(command: &str, error: &crate::Error) {
+    let Some((kind, code)) = events::of_failure(error) else { return };
+    let recorded = DataFolder::from_environment(|name| std::env::var_os(name))
+        .and_then(|data| events::log(&data, kind, command, Failure, Some(&code)));
+    if let Err(e) = recorded {
+        eprintln!("orb: warning: the failure was not recorded: {e}");
     }
 }
 

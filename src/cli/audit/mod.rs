@@ -7,8 +7,10 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use crate::audit::by_hand;
+use crate::audit::events;
 use crate::audit::keys;
 use crate::audit::report::Verdict;
+use crate::audit::statement::Outcome::{Failure, Success};
 use crate::audit::verify::{self, Request};
 use crate::audit::{DataFolder, TrustStore, time};
 use crate::{Error, Result};
@@ -29,6 +31,8 @@ pub enum AuditVerb {
     Keygen(KeygenArgs),
     /// Verify, checkpoint, archive and reconcile the ledger of all records
     Ledger(ledger::LedgerArgs),
+    /// List the kinds of events that are recorded, and the records of the ledger
+    Events(EventsArgs),
 }
 
 #[derive(Debug, Args)]
@@ -68,6 +72,13 @@ pub struct ShowArgs {
 }
 
 #[derive(Debug, Args)]
+pub struct EventsArgs {
+    /// Print the kinds of events as JSON, and no records
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
 pub struct KeygenArgs {
     /// The private key's file; it must not exist
     #[arg(short, long, value_name = "FILE")]
@@ -89,7 +100,8 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
     match &args.verb {
         AuditVerb::Verify(args) => verify(args, data),
         AuditVerb::Show(args) => show(args, data),
-        AuditVerb::Keygen(args) => keygen(args),
+        AuditVerb::Keygen(args) => keygen(args, data),
+        AuditVerb::Events(args) => list_events(args, data),
         AuditVerb::Ledger(args) => ledger::run(args, data),
     }
 }
@@ -108,6 +120,14 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         strict: args.strict,
     })?;
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
+    let (outcome, code) = match report.exit_code {
+        0 => (Success, None),
+        _ => (Failure, report.findings.iter().find(|f| f.verdict == report.verdict).map(|f| f.code)),
+    };
+    // The verdict stands, whether it could be recorded or not.
+    if let Err(e) = events::log(data, "verify.run", "orb audit verify", outcome, code) {
+        eprintln!("orb: warning: the verification was not recorded: {e}");
+    }
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
@@ -141,8 +161,27 @@ pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
-pub fn keygen(args: &KeygenArgs) -> Result<Outcome> {
+/// What is recorded, and what was.
+pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
+    if args.json {
+        let json =
+            serde_json::to_string(&events::EVENT_TYPES).map_err(|e| Error::usage("events").found(e.to_string()))?;
+        return Ok(Outcome { text: format!("{json}\n"), exit_code: 0 });
+    }
+    let mut text = String::from("Recorded, always:\n");
+    for kind in events::EVENT_TYPES {
+        text.push_str(&format!("  {:<16} {}; {}\n", kind.name, kind.when, kind.why));
+    }
+    let ledger = data.path().join("ledger/orb-ledger.jsonl");
+    if ledger.is_file() {
+        text.push_str(&format!("\n{}:\n{}", ledger.display(), events::list(&ledger)?));
+    }
+    Ok(Outcome { text, exit_code: 0 })
+}
+
+pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
     let key = keys::keygen(&args.output)?;
+    events::log(data, "key.generate", "orb audit keygen", Success, None)?;
     let text = format!(
         "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
         args.output.display(),
