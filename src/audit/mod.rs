@@ -12,6 +12,7 @@ pub mod data_folder;
 mod disk;
 pub mod dsse;
 pub mod events;
+pub mod evidence;
 pub mod inband;
 pub mod keys;
 pub mod ledger;

@@ -245,6 +245,23 @@ impl Report {
         self.exit_code = self.verdict.exit_code();
     }
 
+    /// The verdict in words.
+    pub(super) fn sentence(&self) -> String {
+        let c = &self.counts;
+        match self.verdict {
+            Verdict::Pass => format!("PASS: {}", self.what_passed()),
+            Verdict::Incomplete => "INCOMPLETE: something needed for a verdict is missing".to_owned(),
+            Verdict::Refused => "REFUSED: policy does not accept this record".to_owned(),
+            Verdict::Fail => {
+                format!(
+                    "FAIL: {} {} what the record says",
+                    c.errors,
+                    if c.errors == 1 { "thing is not" } else { "things are not" }
+                )
+            }
+        }
+    }
+
     /// The verdict sentence of a pass: of a folder, of a ledger, of folders against a ledger.
     fn what_passed(&self) -> String {
         let c = &self.counts;
@@ -276,19 +293,7 @@ impl Report {
         let c = &self.counts;
         let banner = self.marking.as_deref().map(|m| format!("{m}\n")).unwrap_or_default();
         out.push_str(&banner);
-        let sentence = match self.verdict {
-            Verdict::Pass => format!("PASS: {}", self.what_passed()),
-            Verdict::Incomplete => "INCOMPLETE: something needed for a verdict is missing".to_owned(),
-            Verdict::Refused => "REFUSED: policy does not accept this record".to_owned(),
-            Verdict::Fail => {
-                format!(
-                    "FAIL: {} {} what the record says",
-                    c.errors,
-                    if c.errors == 1 { "thing is not" } else { "things are not" }
-                )
-            }
-        };
-        let _ = writeln!(out, "{sentence}. Evidence only, not an authorisation.");
+        let _ = writeln!(out, "{}. Evidence only, not an authorisation.", self.sentence());
         for (name, value) in [
             ("signed by", &self.signed_by),
             ("trail hash", &self.trail_hash),

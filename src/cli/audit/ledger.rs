@@ -150,7 +150,7 @@ fn reconcile(args: &ReconcileArgs, data: &DataFolder) -> Result<Outcome> {
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
-fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
+pub(super) fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
     ledger_check::ledger_file(&named.map_or_else(|| data.path().join("ledger"), Path::to_owned))
 }
 
@@ -162,7 +162,7 @@ fn key(named: Option<&Path>, data: &DataFolder) -> Result<SigningKey> {
     }
 }
 
-fn new_file(path: &Path, bytes: &[u8]) -> Result<()> {
+pub(super) fn new_file(path: &Path, bytes: &[u8]) -> Result<()> {
     use std::io::Write as _;
     let write = || {
         let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;

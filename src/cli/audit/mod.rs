@@ -1,6 +1,7 @@
 //! `orb audit`: verify a published folder, show its record, make a key, look after the ledger.
 
 mod ledger;
+mod report;
 
 use std::path::PathBuf;
 
@@ -31,6 +32,8 @@ pub enum AuditVerb {
     Keygen(KeygenArgs),
     /// Verify, checkpoint, archive and reconcile the ledger of all records
     Ledger(ledger::LedgerArgs),
+    /// Write what a verification found, for a compliance officer
+    Report(report::ReportArgs),
     /// List the kinds of events that are recorded, and the records of the ledger
     Events(EventsArgs),
 }
@@ -101,6 +104,7 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Verify(args) => verify(args, data),
         AuditVerb::Show(args) => show(args, data),
         AuditVerb::Keygen(args) => keygen(args, data),
+        AuditVerb::Report(args) => report::run(args, data),
         AuditVerb::Events(args) => list_events(args, data),
         AuditVerb::Ledger(args) => ledger::run(args, data),
     }

@@ -1,0 +1,45 @@
+//! A document as Markdown.
+
+use std::fmt::Write as _;
+
+use super::{Block, Document};
+
+pub(super) fn render(document: &Document) -> String {
+    let mut out = format!("**{}**\n\n# {}\n", document.banner, escaped(&document.title));
+    for section in &document.sections {
+        let _ = write!(out, "\n## {}\n", escaped(section.title));
+        for block in &section.blocks {
+            match block {
+                Block::Text(text) => {
+                    let _ = write!(out, "\n{}\n", escaped(text));
+                }
+                Block::Commands(text) => {
+                    let _ = write!(out, "\n```\n{}```\n", text.replace("```", "` ` `"));
+                }
+                Block::Table { head, rows } => {
+                    let _ = write!(out, "\n| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
+                    for row in rows {
+                        let cells: Vec<String> = row.iter().map(|cell| escaped(cell)).collect();
+                        let _ = writeln!(out, "| {} |", cells.join(" | "));
+                    }
+                }
+            }
+        }
+    }
+    let _ = write!(out, "\n**{}**\n", document.banner);
+    out
+}
+
+/// What Markdown would read as its own, and HTML that it would pass on.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => out.push_str("&lt;"),
+            '&' => out.push_str("&amp;"),
+            '\\' | '`' | '*' | '_' | '|' | '[' | ']' | '#' => out.extend(['\\', c]),
+            _ => out.push(c),
+        }
+    }
+    out
+}

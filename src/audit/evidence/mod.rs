@@ -1,0 +1,289 @@
+//! The report for a compliance officer: what was verified, what was found, which controls it is evidence for, what it
+//! does not show, and whose duty that is. The same records, trust and `as_of` give the same bytes.
+
+mod controls;
+mod html;
+mod markdown;
+
+use std::path::Path;
+
+use super::by_hand;
+use super::report::{Finding, Report, Severity, Verdict};
+use super::statement::{Input, Model, Statement};
+use super::time::{self, SyncStatus};
+use crate::Result;
+
+/// What a report is about.
+#[derive(Debug)]
+pub struct Evidence<'a> {
+    pub report: &'a Report,
+    /// The records that were verified, in order; facts are taken from them only when the verdict lets them be believed.
+    pub records: &'a [Statement],
+    /// The folder, when the report is about one.
+    pub folder: Option<&'a Path>,
+    /// The report's own time, milliseconds since 1970.
+    pub as_of_ms: u64,
+}
+
+/// A document without a form yet.
+#[derive(Debug)]
+struct Document {
+    banner: String,
+    title: String,
+    sections: Vec<Section>,
+}
+
+#[derive(Debug)]
+struct Section {
+    title: &'static str,
+    blocks: Vec<Block>,
+}
+
+#[derive(Debug)]
+enum Block {
+    Text(String),
+    Table { head: Vec<&'static str>, rows: Vec<Vec<String>> },
+    Commands(String),
+}
+
+/// One self-contained HTML page: no script, nothing fetched, banner at its top and bottom and on every printed page.
+///
+/// # Errors
+/// As [`by_hand::openssl_commands`].
+pub fn to_html(evidence: &Evidence<'_>) -> Result<String> {
+    Ok(html::render(&document(evidence)?))
+}
+
+/// The same as Markdown.
+///
+/// # Errors
+/// As [`to_html`].
+pub fn to_markdown(evidence: &Evidence<'_>) -> Result<String> {
+    Ok(markdown::render(&document(evidence)?))
+}
+
+fn document(evidence: &Evidence<'_>) -> Result<Document> {
+    let report = evidence.report;
+    // Words of a record that nobody trusted has signed are not repeated as facts.
+    let records = if report.marking.is_some() { evidence.records } else { &[] };
+    let mut sections = vec![
+        verdict(evidence),
+        scope(evidence),
+        findings(&report.findings),
+        scenes(records),
+        inputs(records),
+        outputs(records),
+        models(records),
+        signers(records),
+        clock(records),
+        controls::matrix(evidence, records),
+    ];
+    if let Some(folder) = evidence.folder.filter(|_| !records.is_empty()) {
+        sections.push(Section {
+            title: "Verify again, without Orb",
+            blocks: vec![Block::Commands(by_hand::openssl_commands(folder)?)],
+        });
+    }
+    sections.push(hashes(records));
+    Ok(Document {
+        banner: report.marking.clone().unwrap_or_else(|| "MARKING NOT VERIFIED".into()),
+        title: "Audit evidence".into(),
+        sections: sections.into_iter().filter(|s| !s.blocks.is_empty()).collect(),
+    })
+}
+
+fn verdict(evidence: &Evidence<'_>) -> Section {
+    let sentence = evidence.report.sentence();
+    let limit = match evidence.report.verdict {
+        Verdict::Pass => {
+            "What follows is evidence for an assessment. It is not an authorisation and certifies nothing."
+        }
+        _ => "What follows must not be relied on before the findings are cleared.",
+    };
+    Section { title: "Verdict", blocks: vec![Block::Text(format!("{sentence}.")), Block::Text(limit.into())] }
+}
+
+fn scope(evidence: &Evidence<'_>) -> Section {
+    let report = evidence.report;
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push(vec![name.to_owned(), value]);
+    row("Report made", time::format_utc(evidence.as_of_ms));
+    row("Tool", format!("orb {}", env!("CARGO_PKG_VERSION")));
+    row("Trust store", report.trust_store_sha256.clone());
+    if let Some(ledger) = &report.ledger_id {
+        row("Ledger", ledger.clone());
+    }
+    if let Some(range) = report.range {
+        row("Records", format!("{} to {}", range.first, range.last));
+        row("Anchored through", report.anchored_through.map_or("no record".into(), |n| format!("record {n}")));
+    }
+    let c = report.counts;
+    row("Outputs verified", format!("{} of {}", c.outputs_verified, c.outputs_listed));
+    row("Inputs verified", format!("{} of {}", c.inputs_verified, c.inputs_listed));
+    Section { title: "Scope", blocks: vec![Block::Table { head: vec!["What", "Value"], rows }] }
+}
+
+fn findings(found: &[Finding]) -> Section {
+    if found.is_empty() {
+        return Section { title: "Findings", blocks: vec![Block::Text("None.".into())] };
+    }
+    let severity = |s: Severity| match s {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Note => "note",
+    };
+    let mut rows: Vec<(Severity, Vec<String>)> = found
+        .iter()
+        .map(|f| {
+            let detail = [("expected", &f.expected), ("found", &f.actual)]
+                .into_iter()
+                .filter(|(_, text)| !text.is_empty())
+                .map(|(name, text)| format!("{name} {text}"));
+            let seq = f.seq.map(|n| n.to_string()).unwrap_or_default();
+            let words = [severity(f.severity).into(), f.code.into(), seq, f.subject.clone()];
+            let more = [detail.collect::<Vec<_>>().join("; "), f.hint.clone()];
+            (f.severity, words.into_iter().chain(more).collect())
+        })
+        .collect();
+    rows.sort_by_key(|(severity, _)| match severity {
+        Severity::Error => 0,
+        Severity::Warning => 1,
+        Severity::Note => 2,
+    });
+    let head = vec!["Severity", "Code", "Record", "Where", "What", "Meaning, what to do"];
+    table("Findings", head, rows.into_iter().map(|(_, row)| row).collect())
+}
+
+fn scenes(records: &[Statement]) -> Section {
+    let rows = records
+        .iter()
+        .map(|s| {
+            let p = &s.predicate;
+            let outcome = match (&p.event.outcome, &p.event.error_code) {
+                (super::statement::Outcome::Success, _) => "success".to_owned(),
+                (_, code) => format!("failure {}", code.as_deref().unwrap_or_default()),
+            };
+            vec![
+                p.chain.seq.to_string(),
+                p.time.utc.clone(),
+                format!("{}, {outcome}", p.event.kind),
+                p.marking.banner.clone(),
+                p.inputs.iter().map(|i| i.name.as_str()).collect::<Vec<_>>().join(", "),
+                s.subject.len().to_string(),
+                format!("{} ({})", p.actor.operator_id, p.actor.auth),
+            ]
+        })
+        .collect();
+    table("Events", vec!["Record", "UTC", "Event", "Marking", "Inputs", "Outputs", "Operator"], rows)
+}
+
+fn inputs(records: &[Statement]) -> Section {
+    let row = |i: &Input| {
+        vec![
+            i.name.clone(),
+            i.role.clone(),
+            i.size.to_string(),
+            i.marking.clone().unwrap_or("none".into()),
+            i.sha256.clone(),
+        ]
+    };
+    let rows = records.iter().flat_map(|s| s.predicate.inputs.iter().map(row)).collect();
+    table("Inputs", vec!["Name", "Role", "Bytes", "Marking inside", "SHA-256"], rows)
+}
+
+fn outputs(records: &[Statement]) -> Section {
+    // Of one folder every output; of a ledger they would be its greater part, and each record lists its own.
+    let [record] = records else { return Section { title: "Outputs", blocks: Vec::new() } };
+    let rows = record
+        .subject
+        .iter()
+        .map(|s| vec![s.name.clone(), s.annotations.role.clone(), s.annotations.size.clone(), s.digest.sha256.clone()])
+        .collect();
+    table("Outputs", vec!["Name", "Role", "Bytes", "SHA-256"], rows)
+}
+
+fn models(records: &[Statement]) -> Section {
+    let row = |m: &Model| {
+        let text = |t: &Option<String>| t.clone().unwrap_or_default();
+        let status = m.status.clone().unwrap_or("ran".into());
+        vec![m.id.clone(), status, text(&m.version), text(&m.runtime), text(&m.pin_source), text(&m.weights_sha256)]
+    };
+    let mut rows: Vec<Vec<String>> = records.iter().flat_map(|s| s.predicate.models.iter().map(row)).collect();
+    rows.sort();
+    rows.dedup();
+    table("Model pins", vec!["Model", "Status", "Version", "Runtime", "Pin from", "Weights' SHA-256"], rows)
+}
+
+fn signers(records: &[Statement]) -> Section {
+    let mut rows: Vec<Vec<String>> = records
+        .iter()
+        .map(|s| {
+            let (a, c) = (&s.predicate.actor, &s.predicate.crypto);
+            let fips = if c.fips_mode { "on" } else { "off" };
+            vec![
+                a.key_fingerprint.clone(),
+                a.algorithm.clone(),
+                a.key_source.clone(),
+                format!("{} {}", c.provider, c.provider_version),
+                fips.into(),
+            ]
+        })
+        .collect();
+    rows.sort();
+    rows.dedup();
+    let mut section =
+        table("Keys and cryptography", vec!["Key (SPKI SHA-256)", "Algorithm", "From", "Module", "FIPS mode"], rows);
+    if !section.blocks.is_empty() {
+        section.blocks.push(Block::Text(
+            "A key in a file gives integrity. It binds a person only as far as the organisation's custody of that file \
+             does; shared, it is no evidence of who signed."
+                .into(),
+        ));
+    }
+    section
+}
+
+fn clock(records: &[Statement]) -> Section {
+    let count = |status: SyncStatus| records.iter().filter(|s| s.predicate.time.sync_status == status).count();
+    if records.is_empty() {
+        return Section { title: "Time", blocks: Vec::new() };
+    }
+    let worst = records.iter().filter_map(|s| s.predicate.time.max_error_us).max();
+    let worst =
+        worst.map_or(String::new(), |us| format!(" The largest error bound that a kernel stated is {} ms.", us / 1000));
+    Section {
+        title: "Time",
+        blocks: vec![Block::Text(format!(
+            "Clock called synchronised by its kernel: {}; unsynchronised: {}; nothing known: {}.{worst} A kernel says \
+             that a daemon keeps its clock, not that the daemon is right.",
+            count(SyncStatus::Synchronised),
+            count(SyncStatus::Unsynchronised),
+            count(SyncStatus::Unknown)
+        ))],
+    }
+}
+
+fn hashes(records: &[Statement]) -> Section {
+    let rows = records
+        .iter()
+        .map(|s| {
+            let p = &s.predicate;
+            vec![
+                p.chain.seq.to_string(),
+                p.event.id.clone(),
+                p.trail_hash.clone().unwrap_or_default(),
+                p.chain.prev.clone(),
+            ]
+        })
+        .collect();
+    table("Trail hashes", vec!["Record", "Event", "Trail hash", "Before it"], rows)
+}
+
+/// A section of one table; of nothing when it would be empty.
+fn table(title: &'static str, head: Vec<&'static str>, rows: Vec<Vec<String>>) -> Section {
+    let blocks = if rows.is_empty() { Vec::new() } else { vec![Block::Table { head, rows }] };
+    Section { title, blocks }
+}
+
+#[cfg(test)]
+mod tests;

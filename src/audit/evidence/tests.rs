@@ -1,0 +1,95 @@
+use super::*;
+use crate::audit::keys::tests::shared_key;
+use crate::audit::publication::tests::publish;
+use crate::audit::verify::{Request, read_record, verify};
+use crate::audit::{TrustStore, keys};
+
+const NOW_MS: u64 = 1_763_700_000_000;
+
+fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl FnOnce(&Evidence<'_>)) {
+    let dir = tempfile::tempdir().unwrap();
+    publish(dir.path());
+    let folder = dir.path().join("out");
+    spoil(&folder);
+    let mut trust = TrustStore::default();
+    if trusted {
+        trust.insert(shared_key().public().clone());
+    }
+    let request = Request { folder: &folder, trust: &trust, inputs: &[], store: None, now_ms: NOW_MS, strict: false };
+    let report = verify(&request).unwrap();
+    let records = [read_record(&folder).unwrap().1];
+    look(&Evidence { report: &report, records: &records, folder: Some(&folder), as_of_ms: NOW_MS });
+}
+
+#[test]
+fn a_page_with_everything_and_nothing_from_elsewhere() {
+    with_report(
+        true,
+        |_| {},
+        |evidence| {
+            let html = to_html(evidence).unwrap();
+            assert_eq!(html.matches("UNCLASSIFIED</div>").count(), 2);
+            for word in
+                ["PASS", "Controls", "AU-10", "van.jpg", "scene.ply", "openssl dgst -sha256 -verify", keys::ALGORITHM]
+            {
+                assert!(html.contains(word), "{word}");
+            }
+            let trail_hash = evidence.report.trail_hash.as_ref().unwrap();
+            assert!(html.contains(trail_hash));
+            assert!(!html.contains("<script") && !html.contains("http://") && !html.contains("src="));
+            assert_eq!(html, to_html(evidence).unwrap());
+            for claim in ["certified", "compliant", "authorised by"] {
+                assert!(!html.contains(claim), "{claim}");
+            }
+            let markdown = to_markdown(evidence).unwrap();
+            assert!(markdown.starts_with("**UNCLASSIFIED**") && markdown.ends_with("**UNCLASSIFIED**\n"));
+        },
+    );
+}
+
+#[test]
+fn an_unverified_record_is_not_quoted() {
+    with_report(
+        false,
+        |_| {},
+        |evidence| {
+            let html = to_html(evidence).unwrap();
+            assert!(html.contains("INCOMPLETE") && html.contains("MARKING NOT VERIFIED"));
+            // A finding may name what it is about; nothing else of the record is repeated.
+            assert!(!html.contains("jane") && !html.contains("<h2>Inputs</h2>") && !html.contains("<h2>Events</h2>"));
+            assert!(html.contains("nothing that can be relied on"));
+        },
+    );
+}
+
+#[test]
+fn hostile_words_stay_words() {
+    let document = Document {
+        banner: "A<B".into(),
+        title: "x".into(),
+        sections: vec![Section {
+            title: "t",
+            blocks: vec![
+                Block::Text("<script>alert(1)</script> & \"q\"".into()),
+                Block::Table { head: vec!["h"], rows: vec![vec!["a|b <i>".into()]] },
+            ],
+        }],
+    };
+    let html = html::render(&document);
+    assert!(!html.contains("<script>") && !html.contains("<i>") && html.contains("A&lt;B"));
+    let markdown = markdown::render(&document);
+    assert!(!markdown.contains("<script>") && markdown.contains("a\\|b &lt;i>"), "{markdown}");
+}
+
+#[test]
+fn a_finding_stands_first() {
+    with_report(
+        true,
+        |folder| std::fs::write(folder.join("scene.ply"), "changed").unwrap(),
+        |evidence| {
+            let html = to_html(evidence).unwrap();
+            let (finding, note) = (html.find("OUTPUT_DIGEST").unwrap(), html.find("TAIL_UNANCHORED").unwrap());
+            assert!(finding < note && html.contains("FAIL") && html.contains("must not be relied on"));
+        },
+    );
+}
