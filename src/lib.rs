@@ -16,6 +16,7 @@ pub mod pipeline;
 pub mod preview;
 pub mod progress;
 pub mod splat;
+pub mod symmetry;
 pub mod views;
 
 pub use error::{Error, Kind, Result};

@@ -11,12 +11,14 @@ use crate::models::{Engine, prior};
 use crate::photo::Photo;
 use crate::progress::Progress;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
+use crate::symmetry::{self, Fit, MirroredPhoto, Use};
 use crate::{Result, views};
 
 /// Pixels across each of the six views.
 const VIEW_SIZE: u32 = 256;
 /// Names of the optimisation's targets in its report.
 pub const PHOTO: &str = "photo";
+pub const MIRRORED: &str = "mirrored photo";
 pub const VIEW: &str = "view";
 pub const HELD_BACK: &str = "held back";
 
@@ -32,6 +34,7 @@ pub struct Settings {
     /// The optimisation ends early past this point, and says so.
     pub deadline: Option<Instant>,
     pub seed: u64,
+    pub symmetry: Use,
     /// 1 to 4.
     pub levels: usize,
 }
@@ -43,10 +46,20 @@ pub struct Timing {
     pub time: Duration,
 }
 
+/// The subject's plane of symmetry, as far as there is one.
+#[derive(Clone, Copy, Debug)]
+pub struct Symmetry {
+    /// The best plane, if it was looked for and found.
+    pub fit: Option<Fit>,
+    /// Whether the unseen side was taken from the seen one.
+    pub applied: bool,
+}
+
 /// Everything that came of one photo, in the unit frame (subject's bounding sphere of radius 1, Z up).
 pub struct Reconstruction {
     pub subject: Subject,
     pub prior: OneView,
+    pub symmetry: Symmetry,
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
     pub report: Report,
@@ -72,8 +85,19 @@ pub fn reconstruct(
     progress.check()?;
 
     progress.begin("3D from one view", 0);
-    let one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
+    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
     clock.lap("3D from one view");
+    progress.check()?;
+
+    let seen = symmetry::Seen { camera: one_view.camera, color: &one_view.colour, mask: &one_view.mask.data };
+    let fit = if settings.symmetry == Use::Off { None } else { symmetry::find(&one_view.gaussians, &seen) };
+    let applied = fit.filter(|f| settings.symmetry == Use::On || f.convinces());
+    let mirrored = applied.map(|f| symmetry::mirrored_photo(&one_view.gaussians, &seen, &f.plane));
+    let completed = applied.map(|f| symmetry::complete(&one_view.gaussians, &seen, &f.plane));
+    if let Some(completed) = completed {
+        one_view.gaussians = completed;
+    }
+    clock.lap("symmetry");
     progress.check()?;
 
     progress.begin("six views", 6);
@@ -81,21 +105,32 @@ pub fn reconstruct(
     let between = render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?;
     clock.lap("six views");
 
-    let trained = optimise(&one_view, &six, &between, settings, progress)?;
+    let trained = optimise(&one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
     clock.lap("optimisation");
 
-    let photo_camera = trained.cameras[0];
+    let mut photos = vec![mesh::PhotoView {
+        mirrored: false,
+        camera: trained.cameras[0],
+        color: &one_view.colour,
+        mask: &one_view.mask.data,
+    }];
+    photos.extend(mirrored.as_ref().map(|m| mesh::PhotoView {
+        mirrored: true,
+        camera: trained.cameras[1],
+        color: &m.color,
+        mask: &m.mask,
+    }));
     let gaussians = trained.gaussians;
     let render = |camera: &Camera| {
         let frame = splat::render(&gaussians, camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
-    let seen = mesh::PhotoView { camera: photo_camera, color: &one_view.colour, mask: &one_view.mask.data };
     let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };
-    let model = mesh::build(&render, Some(&seen), &options, progress)?;
+    let model = mesh::build(&render, &photos, &options, progress)?;
     clock.lap("mesh and texture");
     Ok(Reconstruction {
         subject,
+        symmetry: Symmetry { fit, applied: applied.is_some() },
         six,
         gaussians,
         report: trained.report,
@@ -105,10 +140,11 @@ pub fn reconstruct(
     })
 }
 
-/// Targets: the photo (heaviest, pose refined, some pixels held back), the six views, and views between them that
+/// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, and views between them that
 /// are measured but never trained on.
 fn optimise(
     prior: &OneView,
+    mirrored: Option<&MirroredPhoto>,
     six: &[(Camera, Frame)],
     between: &[(Camera, Frame)],
     settings: &Settings,
@@ -123,6 +159,15 @@ fn optimise(
         held_back: Some(held_back(prior.mask.width, settings.seed)),
         name: PHOTO.into(),
     }];
+    targets.extend(mirrored.map(|m| Target {
+        camera: m.camera,
+        color: m.color.clone(),
+        alpha: m.mask.clone(),
+        weight: 0.6,
+        refine_pose: true,
+        held_back: Some(m.seen_directly.clone()),
+        name: MIRRORED.into(),
+    }));
     let view = |name: String, (camera, frame): &(Camera, Frame), weight: f32| Target {
         camera: *camera,
         color: uncomposited(frame),

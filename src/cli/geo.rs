@@ -19,7 +19,7 @@ use crate::models::{Engine, Rten, prior};
 use crate::photo::{self, Photo};
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
-use crate::{Error, Result};
+use crate::{Error, Result, symmetry};
 
 /// What to publish beside `scene.ply`, `preview.png` and the record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -45,6 +45,25 @@ pub enum Quality {
 pub enum Device {
     Auto,
     Cpu,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Symmetry {
+    /// Where the subject meets its mirror image.
+    Auto,
+    /// The best plane, however well it fits.
+    On,
+    Off,
+}
+
+impl From<Symmetry> for symmetry::Use {
+    fn from(choice: Symmetry) -> Self {
+        match choice {
+            Symmetry::Auto => symmetry::Use::Auto,
+            Symmetry::On => symmetry::Use::On,
+            Symmetry::Off => symmetry::Use::Off,
+        }
+    }
 }
 
 /// An option given twice takes its last value, as people expect who add to a command.
@@ -115,6 +134,10 @@ pub struct GeoArgs {
     /// Same photo, options, seed and machine: same bytes.
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+
+    /// Whether a plane of symmetry gives the unseen side from the seen one.
+    #[arg(long, value_enum, default_value = "auto")]
+    pub symmetry: Symmetry,
 
     /// Levels of detail, 1 to 4.
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
@@ -250,6 +273,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
         levels: args.lods.into(),
+        symmetry: args.symmetry.into(),
     };
     let bar = Bar::new(stop, args.quiet || args.json);
     let done = pipeline::reconstruct(&photo, &Rten, &settings, &bar)?;

@@ -45,6 +45,8 @@ enum Verb {
 enum Bench {
     /// How fast splats are drawn.
     Speed(bench::speed::Speed),
+    /// How true models are whose subjects' meshes are known.
+    Mesh(bench::mesh::MeshBench),
 }
 
 /// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
@@ -74,6 +76,12 @@ pub fn main() -> ExitCode {
         Verb::Bench(Bench::Speed(args)) => {
             let bar = bar::Bar::new(&stop, false);
             let done = bench::speed::run(&args, &bar, &mut |line| eprintln!("orb: {line}"));
+            bar.finish();
+            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
+        }
+        Verb::Bench(Bench::Mesh(args)) => {
+            let bar = bar::Bar::new(&stop, args.json);
+            let done = bench::mesh::run(&args, &bar);
             bar.finish();
             done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
         }

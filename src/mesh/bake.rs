@@ -33,16 +33,16 @@ pub struct Baked {
     pub size: usize,
     /// Linear RGB; meaningful everywhere after padding.
     pub color: Vec<[f32; 3]>,
-    /// Share of the photo in the colour, 0..1; negative where no triangle covers the texel.
-    pub from_photo: Vec<f32>,
+    /// Shares of the photo and of the mirrored photo in the colour, 0..1; negative where no triangle covers the texel.
+    pub from: Vec<[f32; 2]>,
 }
 
 impl Baked {
-    /// Share of covered texels that are mostly the photo's.
-    pub fn seen(&self) -> f32 {
-        let covered = self.from_photo.iter().filter(|s| **s >= 0.0).count();
-        let seen = self.from_photo.iter().filter(|s| **s >= 0.5).count();
-        seen as f32 / covered.max(1) as f32
+    /// Shares of covered texels that are mostly the photo's, and mostly the mirrored photo's.
+    pub fn shares(&self) -> [f32; 2] {
+        let covered = self.from.iter().filter(|s| s[0] >= 0.0).count();
+        let of = |k: usize| self.from.iter().filter(|s| s[k] >= 0.5).count() as f32 / covered.max(1) as f32;
+        [of(0), of(1)]
     }
 
     pub fn image(&self) -> RgbImage {
@@ -86,7 +86,7 @@ pub fn bake(
     mesh: &Mesh,
     size: u32,
     render: &(dyn Fn(&Camera) -> View + Sync),
-    photo: Option<&PhotoView>,
+    photos: &[PhotoView],
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Baked> {
@@ -112,21 +112,26 @@ pub fn bake(
         });
         progress.step(done as u64 + 1);
     }
-    let around = from_views(&texels, &sums);
-    let photo = photo.filter(|p| p.camera.width > 0 && p.camera.height > 0).map(|photo| {
-        let seen = visibility(&mesh.positions, &mesh.triangles, &photo.camera);
-        photo_source(photo, &seen, &linear)
-    });
-    let colors = match photo {
-        Some(source) => with_photo(&texels, &around, &source),
-        None => around.into_iter().map(|c| (c, 0.0)).collect(),
-    };
-    let mut baked = Baked { size, color: vec![[0.0; 3]; size * size], from_photo: vec![-1.0; size * size] };
-    for (texel, (color, share)) in texels.iter().zip(colors) {
-        baked.color[texel.index as usize] = color;
-        baked.from_photo[texel.index as usize] = share;
+    let mut colors = from_views(&texels, &sums);
+    let mut from = vec![[0.0; 2]; texels.len()];
+    // What is laid on later wins: the photo over its mirror image.
+    for mirrored in [true, false] {
+        for photo in photos.iter().filter(|p| p.mirrored == mirrored && p.camera.width > 0 && p.camera.height > 0) {
+            let seen = visibility(&mesh.positions, &mesh.triangles, &photo.camera);
+            let laid = with_photo(&texels, &colors, &photo_source(photo, &seen, &linear));
+            for ((color, from), (new, share)) in colors.iter_mut().zip(&mut from).zip(laid) {
+                *color = new;
+                *from = from.map(|f| f * (1.0 - share));
+                from[usize::from(mirrored)] += share;
+            }
+        }
     }
-    pad(&mut baked.color, &baked.from_photo, size);
+    let mut baked = Baked { size, color: vec![[0.0; 3]; size * size], from: vec![[-1.0; 2]; size * size] };
+    for (texel, (color, from)) in texels.iter().zip(colors.into_iter().zip(from)) {
+        baked.color[texel.index as usize] = color;
+        baked.from[texel.index as usize] = from;
+    }
+    pad(&mut baked.color, |i| baked.from[i][0] >= 0.0, size);
     Ok(baked)
 }
 
@@ -181,7 +186,7 @@ pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked:
     /// Each texel is the mean of this many samples squared.
     const FINER: usize = 2;
     let size = size as usize;
-    let samples: Vec<(u32, [f32; 3], f32)> = texels(mesh, size * FINER)
+    let samples: Vec<(u32, [f32; 3], [f32; 2])> = texels(mesh, size * FINER)
         .par_iter()
         .filter_map(|texel| {
             let looks_alike = |t: u32| cross(&fine.positions, &fine.triangles[t as usize]).dot(texel.normal) > 0.0;
@@ -191,24 +196,24 @@ pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked:
             let t = fine.triangles[found.triangle as usize].map(|i| i as usize);
             let w = barycentric_3d(found.point, t.map(|i| fine.positions[i]));
             let uv = fine.uvs[t[0]] * w.x + fine.uvs[t[1]] * w.y + fine.uvs[t[2]] * w.z;
-            let (color, share) = bilinear(fine_baked, uv);
+            let (color, shares) = bilinear(fine_baked, uv);
             let (x, y) = (texel.index as usize % (size * FINER) / FINER, texel.index as usize / (size * FINER) / FINER);
-            Some(((y * size + x) as u32, color, share))
+            Some(((y * size + x) as u32, color, shares))
         })
         .collect();
-    let mut sums = vec![([0f32; 3], 0f32, 0f32); size * size];
-    for (i, color, share) in samples {
+    let mut sums = vec![([0f32; 3], [0f32; 2], 0f32); size * size];
+    for (i, color, shares) in samples {
         let sum = &mut sums[i as usize];
         for (s, c) in sum.0.iter_mut().zip(color) {
             *s += c;
         }
-        sum.1 += share;
+        sum.1.iter_mut().zip(shares).for_each(|(s, v)| *s += v);
         sum.2 += 1.0;
     }
     let mut color: Vec<[f32; 3]> = sums.iter().map(|s| s.0.map(|c| c / s.2.max(1.0))).collect();
-    let from_photo: Vec<f32> = sums.iter().map(|s| if s.2 > 0.0 { s.1 / s.2 } else { -1.0 }).collect();
-    pad(&mut color, &from_photo, size);
-    Baked { size, color, from_photo }
+    let from: Vec<[f32; 2]> = sums.iter().map(|s| if s.2 > 0.0 { s.1.map(|v| v / s.2) } else { [-1.0; 2] }).collect();
+    pad(&mut color, |i| from[i][0] >= 0.0, size);
+    Baked { size, color, from }
 }
 
 fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
@@ -222,7 +227,7 @@ fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
     Vec3::new(1.0 - v - w, v, w)
 }
 
-fn bilinear(baked: &Baked, uv: Vec2) -> ([f32; 3], f32) {
+fn bilinear(baked: &Baked, uv: Vec2) -> ([f32; 3], [f32; 2]) {
     let n = baked.size;
     let q = (texel_place(uv, n) - Vec2::splat(0.5)).clamp(Vec2::ZERO, Vec2::splat((n - 1) as f32 - 1e-3));
     let (x, y) = (q.x as usize, q.y as usize);
@@ -231,17 +236,17 @@ fn bilinear(baked: &Baked, uv: Vec2) -> ([f32; 3], f32) {
     let corners =
         [(i, (1.0 - tx) * (1.0 - ty)), (i + 1, tx * (1.0 - ty)), (i + n, (1.0 - tx) * ty), (i + n + 1, tx * ty)];
     let mut color = [0f32; 3];
-    let (mut photo, mut covered) = (0f32, 0f32);
+    let (mut shares, mut covered) = ([0f32; 2], 0f32);
     for (j, share) in corners {
         for (c, v) in color.iter_mut().zip(baked.color[j]) {
             *c += share * v;
         }
-        if baked.from_photo[j] >= 0.0 {
-            photo += share * baked.from_photo[j];
+        if baked.from[j][0] >= 0.0 {
+            shares.iter_mut().zip(baked.from[j]).for_each(|(s, v)| *s += share * v);
             covered += share;
         }
     }
-    (color, if covered > 0.0 { photo / covered } else { 0.0 })
+    (color, shares.map(|s| if covered > 0.0 { s / covered } else { 0.0 }))
 }
 
 fn smoothstep(from: f32, to: f32, x: f32) -> f32 {

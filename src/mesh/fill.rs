@@ -77,10 +77,10 @@ impl Surroundings {
     }
 }
 
-/// Colours for texels that no triangle covers (`covered` < 0): neighbours first, then ever larger blocks' means, so that
+/// Colours for texels that no triangle covers: neighbours first, then ever larger blocks' means, so that
 /// neither bilinear lookups nor smaller pictures of the texture pick up anything foreign.
-pub fn pad(color: &mut [[f32; 3]], covered: &[f32], size: usize) {
-    let mut known: Vec<bool> = covered.iter().map(|c| *c >= 0.0).collect();
+pub fn pad(color: &mut [[f32; 3]], covered: impl Fn(usize) -> bool, size: usize) {
+    let mut known: Vec<bool> = (0..color.len()).map(covered).collect();
     for _ in 0..3 {
         let fresh: Vec<(usize, [f32; 3])> = (0..size * size)
             .into_par_iter()

@@ -15,7 +15,7 @@ use glam::Vec3;
 
 pub(super) fn build(
     render: &(dyn Fn(&Camera) -> View + Sync),
-    photo: Option<&PhotoView>,
+    photos: &[PhotoView],
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Model> {
@@ -34,15 +34,15 @@ pub(super) fn build(
     let sizes = &options.texture_size;
     let finest = &meshes[0];
     let bvhs: Vec<Bvh> = meshes.iter().map(|m| Bvh::new(&m.positions, &m.triangles)).collect();
-    let baked = bake(finest, sizes[0], render, photo, options, progress)?;
+    let baked = bake(finest, sizes[0], render, photos, options, progress)?;
     let mut textures = Vec::new();
     for (mesh, &size) in meshes.iter().zip(sizes) {
         progress.check()?;
         textures.push(match textures.is_empty() {
-            true => (baked.image(), baked.seen()),
+            true => (baked.image(), baked.shares()),
             false => {
                 let coarse = transfer(mesh, size, finest, &bvhs[0], &baked);
-                (coarse.image(), coarse.seen())
+                (coarse.image(), coarse.shares())
             }
         });
     }
@@ -51,12 +51,13 @@ pub(super) fn build(
         .into_iter()
         .zip(textures)
         .zip(errors)
-        .map(|((mesh, (texture, seen)), (error, error_to_coarser))| Level {
+        .map(|((mesh, (texture, [seen, mirrored])), (error, error_to_coarser))| Level {
             mesh,
             texture,
             error,
             error_to_coarser,
             seen,
+            mirrored,
         })
         .collect();
     Ok(Model { levels, surface })

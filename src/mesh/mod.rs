@@ -48,6 +48,8 @@ pub struct View {
 /// The photo's crop: where it sees the surface its pixels win over rendered views.
 #[derive(Clone, Copy, Debug)]
 pub struct PhotoView<'a> {
+    /// Not the photo itself but its mirror image from the other side of a plane of symmetry: the photo wins over it.
+    pub mirrored: bool,
     pub camera: Camera,
     /// sRGB 0..1.
     pub color: &'a [[f32; 3]],
@@ -188,6 +190,8 @@ pub struct Level {
     pub error_to_coarser: f32,
     /// Share of texels coloured from the photo.
     pub seen: f32,
+    /// Share of texels coloured from the mirrored photo.
+    pub mirrored: f32,
 }
 
 /// The textured model.
@@ -205,12 +209,12 @@ pub struct Model {
 /// Errors: `Usage` for options out of range and for a scene without a solid subject, `Cancelled`.
 pub fn build(
     render: &(dyn Fn(&Camera) -> View + Sync),
-    photo: Option<&PhotoView>,
+    photos: &[PhotoView],
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Model> {
     options.check()?;
-    if let Some(photo) = photo {
+    for photo in photos {
         let expected = photo.camera.width as usize * photo.camera.height as usize;
         if photo.color.len() != expected || photo.mask.len() != expected {
             return Err(Error::usage("photo for the texture")
@@ -218,7 +222,7 @@ pub fn build(
                 .found(format!("{} and {}", photo.color.len(), photo.mask.len())));
         }
     }
-    levels::build(render, photo, options, progress)
+    levels::build(render, photos, options, progress)
 }
 
 /// Renders and checks that the arrays fit the camera.

@@ -20,7 +20,7 @@ fn quick() -> Options {
 }
 
 fn made(scene: &Scene, options: &Options) -> Model {
-    build(&|c| scene.render(c), None, options, &Silent).unwrap()
+    build(&|c| scene.render(c), &[], options, &Silent).unwrap()
 }
 
 /// Faces by position: seams welded.
@@ -158,8 +158,8 @@ fn the_photo_wins_where_it_sees() {
     let camera = Camera::look_at(Vec3::X * 3.9, Vec3::ZERO, 0.52, 128);
     let mask = scene.render(&camera).alpha;
     let color = vec![[0.0; 3]; mask.len()];
-    let photo = PhotoView { camera, color: &color, mask: &mask };
-    let model = build(&|c| scene.render(c), Some(&photo), &options, &Silent).unwrap();
+    let photo = PhotoView { mirrored: false, camera, color: &color, mask: &mask };
+    let model = build(&|c| scene.render(c), &[photo], &options, &Silent).unwrap();
     for level in &model.levels {
         assert!(level.seen > 0.1 && level.seen < 0.2, "{}", level.seen);
         let at = |side: Vec3| {
@@ -196,7 +196,7 @@ fn poor_input_is_an_error_or_a_model_and_never_a_panic() {
     let error = build(&|c| scenes::empty().render(c), None, &options, &Silent).unwrap_err();
     assert!(error.to_string().contains("subject"), "{error}");
     for scene in [scenes::sphere(0.03), scenes::sphere(0.005), scenes::boxed(0.7, 0.7, 0.0005), scenes::sphere(1.05)] {
-        match build(&|c| scene.render(c), None, &options, &Silent) {
+        match build(&|c| scene.render(c), &[], &options, &Silent) {
             Ok(model) => check(&model, &options),
             Err(error) => assert!(!error.found.is_empty()),
         }
@@ -206,14 +206,14 @@ fn poor_input_is_an_error_or_a_model_and_never_a_panic() {
         let n = (c.width * c.height) as usize;
         View { camera: *c, color: vec![[f32::NAN; 3]; n], alpha: vec![f32::NAN; n], depth: vec![f32::NAN; n] }
     };
-    assert!(build(&nan, None, &options, &Silent).is_err());
+    assert!(build(&nan, &[], &options, &Silent).is_err());
     let short = |c: &Camera| View { camera: *c, color: vec![], alpha: vec![], depth: vec![] };
-    assert!(build(&short, None, &options, &Silent).unwrap_err().found.contains('0'));
+    assert!(build(&short, &[], &options, &Silent).unwrap_err().found.contains('0'));
     let bad = Options { texture_size: [1000, 512, 256, 128], ..quick() };
-    assert!(build(&nan, None, &bad, &Silent).unwrap_err().subject.contains("texture"));
+    assert!(build(&nan, &[], &bad, &Silent).unwrap_err().subject.contains("texture"));
     let upside = Camera { rotation: Mat3::ZERO, ..Camera::look_at(Vec3::X, Vec3::ZERO, 0.5, 4) };
-    let photo = PhotoView { camera: upside, color: &[[0.0; 3]; 3], mask: &[1.0; 16] };
-    assert!(build(&nan, Some(&photo), &options, &Silent).unwrap_err().subject.contains("photo"));
+    let photo = PhotoView { mirrored: false, camera: upside, color: &[[0.0; 3]; 3], mask: &[1.0; 16] };
+    assert!(build(&nan, &[photo], &options, &Silent).unwrap_err().subject.contains("photo"));
 }
 
 /// A depth error that differs from view to view and from place to place, as soft Gaussians make it.
@@ -234,7 +234,7 @@ fn uneven(scene: &Scene, camera: &Camera, size: f32) -> View {
 #[test]
 fn views_that_disagree_make_one_smooth_solid() {
     let (scene, options) = (scenes::sphere(0.7), quick());
-    let model = build(&|c| uneven(&scene, c, 0.03), None, &options, &Silent).unwrap();
+    let model = build(&|c| uneven(&scene, c, 0.03), &[], &options, &Silent).unwrap();
     check(&model, &options);
     let area = model.surface.area() / (4.0 * std::f64::consts::PI * 0.49);
     assert!((0.9..1.1).contains(&area), "{area}");
@@ -256,6 +256,6 @@ fn an_interrupt_stops_it() {
         }
     }
     let scene = scenes::sphere(0.5);
-    let error = build(&|c| scene.render(c), None, &quick(), &Stopped).unwrap_err();
+    let error = build(&|c| scene.render(c), &[], &quick(), &Stopped).unwrap_err();
     assert_eq!(error.kind, crate::Kind::Cancelled);
 }

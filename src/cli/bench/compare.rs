@@ -1,0 +1,169 @@
+//! How far two surfaces lie apart.
+
+use glam::{Mat3, Vec3};
+use rayon::prelude::*;
+
+use crate::mesh::distance::Bvh;
+use crate::mesh::raster::visibility;
+use crate::mesh::{Surface, surrounding_cameras};
+use crate::splat::Camera;
+
+/// What of a surface can be seen from around it.
+pub struct Shape {
+    pub points: Vec<Vec3>,
+    bvh: Bvh,
+}
+
+const VIEWS: usize = 32;
+const VIEW_SIZE: u32 = 128;
+const POINTS: usize = 20_000;
+
+impl Shape {
+    /// Of triangles: points and triangles seen from around; what lies inside does not count.
+    pub fn of_surface(surface: &Surface) -> Self {
+        let mut used = vec![false; surface.triangles.len()];
+        let mut points = Vec::new();
+        for camera in surrounding_cameras(VIEWS, VIEW_SIZE) {
+            let seen = visibility(&surface.positions, &surface.triangles, &camera);
+            for (i, &t) in seen.triangle.iter().enumerate().filter(|(_, t)| **t != u32::MAX) {
+                used[t as usize] = true;
+                points.push(lifted(&camera, i, seen.depth[i]));
+            }
+        }
+        let triangles: Vec<[u32; 3]> =
+            surface.triangles.iter().zip(&used).filter(|(_, used)| **used).map(|(t, _)| *t).collect();
+        Shape { points: fewer(points), bvh: Bvh::new(&surface.positions, &triangles) }
+    }
+
+    /// Of depth maps, `depth(camera)` in camera z, 0 for nothing.
+    pub fn of_depth(depth: impl Fn(&Camera) -> Vec<f32> + Sync) -> Self {
+        let points: Vec<Vec3> = surrounding_cameras(VIEWS, VIEW_SIZE)
+            .iter()
+            .flat_map(|camera| {
+                let depth = depth(camera);
+                let found = depth.iter().enumerate().filter(|(_, z)| **z > 0.0);
+                found.map(|(i, z)| lifted(camera, i, *z)).collect::<Vec<Vec3>>()
+            })
+            .filter(|p| p.length() < 1.3)
+            .collect();
+        let triangles: Vec<[u32; 3]> = (0..points.len() as u32).map(|i| [i; 3]).collect();
+        Shape { bvh: Bvh::new(&points, &triangles), points: fewer(points) }
+    }
+
+    fn distances(&self, points: &[Vec3]) -> Vec<f32> {
+        points.par_iter().map(|p| self.bvh.distance(*p)).collect()
+    }
+}
+
+fn fewer(points: Vec<Vec3>) -> Vec<Vec3> {
+    let step = points.len().div_ceil(POINTS).max(1);
+    points.into_iter().step_by(step).collect()
+}
+
+fn lifted(camera: &Camera, i: usize, z: f32) -> Vec3 {
+    let (x, y) = (i % camera.width as usize, i / camera.width as usize);
+    let at = Vec3::new((x as f32 + 0.5 - camera.cx) / camera.fx, (y as f32 + 0.5 - camera.cy) / camera.fy, 1.0) * z;
+    camera.rotation.transpose() * (at - camera.translation)
+}
+
+/// Of two surfaces; all in shares of the truth's bounding-box diagonal.
+#[derive(Clone, Copy, Debug)]
+pub struct Scores {
+    /// Mean of both directions' mean distances.
+    pub chamfer: f32,
+    /// Harmonic mean of the shares of points within 1% of the other surface, and within 2%.
+    pub f: [f32; 2],
+}
+
+pub fn scores(found: &Shape, truth: &Shape, diagonal: f32) -> Scores {
+    let (there, back) = (truth.distances(&found.points), found.distances(&truth.points));
+    let mean = |d: &[f32]| d.iter().sum::<f32>() / d.len().max(1) as f32;
+    let within = |d: &[f32], limit: f32| d.iter().filter(|v| **v < limit).count() as f32 / d.len().max(1) as f32;
+    let f = [0.01, 0.02].map(|share| {
+        let (a, b) = (within(&there, share * diagonal), within(&back, share * diagonal));
+        2.0 * a * b / (a + b).max(1e-9)
+    });
+    Scores { chamfer: (mean(&there) + mean(&back)) / 2.0 / diagonal, f }
+}
+
+/// The truth moved onto what was found: a turn about the vertical, one scale, a shift; the 80% of closest pairs decide.
+///
+/// A reconstruction from one photo has no scale and a guessed camera, so this much is given to it.
+pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Surface {
+    // The subject frame's +Y is where the camera looked.
+    let turn = Mat3::from_cols(Vec3::new(forward.y, forward.x, 0.0), Vec3::new(-forward.x, forward.y, 0.0), Vec3::Z);
+    let bounds = |points: &[Vec3]| {
+        points.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+    };
+    let mut moved = Surface {
+        positions: truth.positions.iter().map(|p| turn * *p).collect(),
+        triangles: truth.triangles.clone(),
+    };
+    let ((lo, hi), (low, high)) = (bounds(&moved.positions), bounds(&found.points));
+    let scale = high.distance(low) / hi.distance(lo).max(1e-6);
+    let shift = (low + high) / 2.0 - scale * (lo + hi) / 2.0;
+    moved.positions.iter_mut().for_each(|p| *p = scale * *p + shift);
+    for _ in 0..30 {
+        let shape = Shape::of_surface(&moved);
+        let mut pairs: Vec<(Vec3, Vec3)> = Vec::new();
+        let step = |n: usize| n.div_ceil(2500).max(1);
+        for p in shape.points.iter().step_by(step(shape.points.len())) {
+            pairs.extend(found.bvh.closest(*p, 10.0, |_| true).map(|c| (*p, c.point)));
+        }
+        for p in found.points.iter().step_by(step(found.points.len())) {
+            pairs.extend(shape.bvh.closest(*p, 10.0, |_| true).map(|c| (c.point, *p)));
+        }
+        pairs.sort_by(|a, b| a.0.distance_squared(a.1).total_cmp(&b.0.distance_squared(b.1)));
+        pairs.truncate(pairs.len() * 4 / 5);
+        let n = pairs.len().max(1) as f32;
+        let (a, b) = pairs.iter().fold((Vec3::ZERO, Vec3::ZERO), |(a, b), p| (a + p.0 / n, b + p.1 / n));
+        let (mut cos, mut sin, mut square, mut up) = (0.0, 0.0, 0.0, 0.0);
+        for (p, q) in &pairs {
+            let (p, q) = (*p - a, *q - b);
+            cos += p.x * q.x + p.y * q.y;
+            sin += p.x * q.y - p.y * q.x;
+            up += p.z * q.z;
+            square += p.length_squared();
+        }
+        let flat = cos.hypot(sin);
+        let turn = Mat3::from_rotation_z(sin.atan2(cos));
+        let scale = (flat + up) / square.max(1e-9);
+        moved.positions.iter_mut().for_each(|p| *p = b + scale * (turn * (*p - a)));
+    }
+    moved
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn block(size: Vec3) -> Surface {
+        let positions = (0..8)
+            .map(|k| size * (Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) - 0.5))
+            .collect();
+        let triangles = [
+            [0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4],
+            [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5],
+        ];
+        Surface { positions, triangles: triangles.to_vec() }
+    }
+
+    #[test]
+    fn a_block_moved_away_is_found_again() {
+        let here = block(Vec3::new(1.2, 0.7, 0.5));
+        let angle = 0.6f32;
+        let away = Surface {
+            positions: here.positions.iter().map(|p| 3.0 * (Mat3::from_rotation_z(angle) * *p) + Vec3::X).collect(),
+            triangles: here.triangles.clone(),
+        };
+        let found = Shape::of_surface(&here);
+        // Told the camera's direction to within 8°.
+        let forward = Mat3::from_rotation_z(angle + 0.14) * Vec3::Y;
+        let back = aligned(&away, forward, &found);
+        let s = scores(&found, &Shape::of_surface(&back), 1.5);
+        assert!(s.chamfer < 2e-3 && s.f[0] > 0.99, "{s:?}");
+        let larger = Shape::of_surface(&block(Vec3::new(1.26, 0.7, 0.5)));
+        let s = scores(&larger, &found, 1.5);
+        assert!(s.f[0] < 0.9 && s.f[1] > 0.99, "{s:?}");
+    }
+}

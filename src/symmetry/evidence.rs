@@ -1,0 +1,184 @@
+//! What a plane of symmetry is judged by: what the photo saw, and the shape as far as it is known.
+
+use glam::Vec3;
+
+use crate::mesh::fibonacci_sphere;
+use crate::splat::{self, Camera, Gaussians};
+use crate::views;
+
+/// Pixels across the photo for the search.
+const SIZE: usize = 128;
+const AROUND: usize = 14;
+const AROUND_SIZE: u32 = 56;
+
+/// The photo's crop.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    pub camera: Camera,
+    /// sRGB 0..1, row-major, as large as the camera's picture.
+    pub color: &'a [[f32; 3]],
+    /// 1 on the subject.
+    pub mask: &'a [f32],
+}
+
+/// Made ready for the search.
+pub(super) struct Evidence {
+    pub camera: Camera,
+    /// Camera z of the surface; 0 off the subject.
+    pub depth: Vec<f32>,
+    /// Pixels to the subject's mask; 0 on it.
+    pub outside: Vec<f32>,
+    pub color: Vec<[f32; 3]>,
+    /// Surface points that the photo sees, with their colours.
+    pub points: Vec<(Vec3, [f32; 3])>,
+    /// Surface points from all sides.
+    pub shape: Vec<Vec3>,
+    pub field: Field,
+}
+
+impl Evidence {
+    /// None when too little of the subject is solid.
+    pub fn new(g: &Gaussians, seen: &Seen) -> Option<Self> {
+        let size = SIZE.min(seen.camera.width as usize);
+        let camera = seen.camera.resized(size as u32, size as u32);
+        let frame = splat::render(g, &camera, [0.5; 3]);
+        let mask = shrunk(&seen.mask.iter().map(|m| [*m]).collect::<Vec<_>>(), seen.camera.width as usize, size);
+        let color = shrunk(seen.color, seen.camera.width as usize, size);
+        let solid = |i: usize| mask[i][0] > 0.5 && frame.alpha[i] > 0.5 && frame.median_depth[i] > 0.0;
+        let depth: Vec<f32> = (0..size * size).map(|i| if solid(i) { frame.median_depth[i] } else { 0.0 }).collect();
+        let on: Vec<bool> = mask.iter().map(|m| m[0] > 0.5).collect();
+        let points: Vec<(Vec3, [f32; 3])> = (0..size * size)
+            .filter(|&i| depth[i] > 0.0 && (i % size + i / size) % 2 == 0)
+            .map(|i| (lifted(&camera, i, depth[i]), color[i]))
+            .collect();
+        let mut shape = Vec::new();
+        for direction in fibonacci_sphere(AROUND) {
+            let camera = Camera::look_at(direction * views::DISTANCE, Vec3::ZERO, views::FOV, AROUND_SIZE);
+            let frame = splat::render(g, &camera, [0.5; 3]);
+            let solid = |i: &usize| frame.alpha[*i] > 0.5 && frame.median_depth[*i] > 0.0;
+            shape.extend((0..frame.alpha.len()).filter(solid).map(|i| lifted(&camera, i, frame.median_depth[i])));
+        }
+        shape.retain(|p| p.length() < 1.5);
+        let enough = points.len() >= 100 && shape.len() >= 200;
+        enough.then(|| Evidence {
+            camera,
+            depth,
+            outside: distance_outside(&on, size),
+            color,
+            points,
+            field: Field::new(&shape),
+            shape,
+        })
+    }
+}
+
+/// Pixel `i` at camera depth `z` in the world.
+pub(super) fn lifted(camera: &Camera, i: usize, z: f32) -> Vec3 {
+    let (x, y) = (i % camera.width as usize, i / camera.width as usize);
+    let at = Vec3::new((x as f32 + 0.5 - camera.cx) / camera.fx, (y as f32 + 0.5 - camera.cy) / camera.fy, 1.0) * z;
+    camera.rotation.transpose() * (at - camera.translation)
+}
+
+/// Pixel column, row and camera depth of a point.
+pub(super) fn projected(camera: &Camera, p: Vec3) -> Vec3 {
+    let q = camera.rotation * p + camera.translation;
+    let z = q.z.max(1e-3);
+    Vec3::new(camera.fx * q.x / z + camera.cx, camera.fy * q.y / z + camera.cy, q.z)
+}
+
+/// A square picture to `to` pixels across, each the mean of those under it.
+fn shrunk<const N: usize>(picture: &[[f32; N]], from: usize, to: usize) -> Vec<[f32; N]> {
+    let edge = |k: usize| k * from / to;
+    (0..to * to)
+        .map(|i| {
+            let (x, y) = (i % to, i / to);
+            let mut sum = [0.0; N];
+            let mut count = 0.0;
+            for row in edge(y)..edge(y + 1) {
+                for pixel in &picture[row * from + edge(x)..row * from + edge(x + 1)] {
+                    sum.iter_mut().zip(pixel).for_each(|(s, v)| *s += v);
+                    count += 1.0;
+                }
+            }
+            sum.map(|s| s / f32::max(count, 1.0))
+        })
+        .collect()
+}
+
+/// Steps and diagonal steps, two sweeps (Borgefors 1986).
+fn distance_outside(on: &[bool], size: usize) -> Vec<f32> {
+    let mut d: Vec<f32> = on.iter().map(|on| if *on { 0.0 } else { 1e6 }).collect();
+    let mut sweep = |i: usize, steps: [(isize, isize); 4]| {
+        let (x, y) = ((i % size) as isize, (i / size) as isize);
+        for (dx, dy) in steps {
+            let (u, v) = (x + dx, y + dy);
+            if u >= 0 && v >= 0 && u < size as isize && v < size as isize {
+                let step = if dx != 0 && dy != 0 { std::f32::consts::SQRT_2 } else { 1.0 };
+                d[i] = d[i].min(d[v as usize * size + u as usize] + step);
+            }
+        }
+    };
+    (0..size * size).for_each(|i| sweep(i, [(-1, 0), (0, -1), (-1, -1), (1, -1)]));
+    (0..size * size).rev().for_each(|i| sweep(i, [(1, 0), (0, 1), (1, 1), (-1, 1)]));
+    d
+}
+
+/// Distance to the nearest of a set of points, on a grid over the unit frame.
+pub(super) struct Field {
+    cells: Vec<f32>,
+}
+
+impl Field {
+    const N: usize = 60;
+    const HALF: f32 = 1.5;
+    /// Beyond this all is equally far.
+    pub const FAR: f32 = 0.3;
+
+    pub fn new(points: &[Vec3]) -> Self {
+        let n = Self::N;
+        let cell = 2.0 * Self::HALF / n as f32;
+        let mut cells = vec![Self::FAR; n * n * n];
+        for &p in points {
+            let at = Self::place(p).map(|v| (v.max(0.0) as usize).min(n - 1));
+            cells[(at[2] * n + at[1]) * n + at[0]] = 0.0;
+        }
+        // Steps to the 13 neighbours that a sweep has passed already.
+        let before: Vec<[isize; 3]> = (0..13).map(|k: isize| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]).collect();
+        let mut sweep = |i: usize, sign: isize| {
+            let at = [i % n, i / n % n, i / (n * n)].map(|v| v as isize);
+            for step in &before {
+                let to: [isize; 3] = std::array::from_fn(|k| at[k] + sign * step[k]);
+                if to.iter().all(|v| *v >= 0 && *v < n as isize) {
+                    let length = cell * (step.iter().map(|s| s * s).sum::<isize>() as f32).sqrt();
+                    let j = (to[2] as usize * n + to[1] as usize) * n + to[0] as usize;
+                    cells[i] = cells[i].min(cells[j] + length);
+                }
+            }
+        };
+        (0..n * n * n).for_each(|i| sweep(i, 1));
+        (0..n * n * n).rev().for_each(|i| sweep(i, -1));
+        Field { cells }
+    }
+
+    fn place(p: Vec3) -> [f32; 3] {
+        ((p + Self::HALF) / (2.0 * Self::HALF) * Self::N as f32).to_array()
+    }
+
+    /// Trilinear.
+    pub fn at(&self, p: Vec3) -> f32 {
+        let n = Self::N;
+        let q = Self::place(p).map(|v| v - 0.5);
+        if !q.iter().all(|v| *v >= 0.0 && *v < (n - 1) as f32) {
+            return Self::FAR;
+        }
+        let low = q.map(|v| v as usize);
+        let t: [f32; 3] = std::array::from_fn(|k| q[k] - low[k] as f32);
+        (0..8)
+            .map(|corner| {
+                let up = [corner & 1, corner >> 1 & 1, corner >> 2];
+                let share: f32 = (0..3).map(|k| if up[k] == 1 { t[k] } else { 1.0 - t[k] }).product();
+                share * self.cells[((low[2] + up[2]) * n + low[1] + up[1]) * n + low[0] + up[0]]
+            })
+            .sum()
+    }
+}

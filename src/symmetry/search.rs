@@ -1,0 +1,180 @@
+//! The best vertical plane: a grid over heading and offset, then a closer look around the best few.
+
+use glam::Vec3;
+use rayon::prelude::*;
+
+use super::evidence::{Evidence, Field, projected};
+use super::{Plane, Seen, flipped};
+use crate::splat::{self, Gaussians};
+
+/// How well a subject meets its mirror image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    pub plane: Plane,
+    /// Mean distance between the mirrored shape and the shape, in bounding-sphere radii.
+    pub shape: f32,
+    /// Share of the seen surface whose mirror image would lie in front of what the photo shows, or beside it.
+    pub contradicted: f32,
+    /// Mean colour difference (sRGB 0..1, a channel) where the photo sees a point and its mirror image, over the same
+    /// between points taken at random. Below 1: mirrored points look alike. 1 where there are too few.
+    pub color: f32,
+    /// Share of the seen surface whose mirror image the photo sees too, far enough from the plane to say anything.
+    pub pairs: f32,
+    /// Share of the seen surface whose mirror image the photo does not see.
+    pub hidden: f32,
+    /// Intersection over union of the mirrored mask and the shape's silhouette from the mirrored camera.
+    pub silhouette: f32,
+}
+
+impl Fit {
+    /// What is minimised.
+    fn cost(&self) -> f32 {
+        let color = (self.color - 1.0) * (self.pairs / 0.15).min(1.0);
+        self.shape / 0.1 + 2.0 * self.contradicted + 0.7 * color
+    }
+
+    /// Good enough to be used unasked.
+    pub fn convinces(&self) -> bool {
+        self.hidden > 0.1
+            && self.shape < 0.075
+            && self.contradicted < 0.12
+            && self.silhouette > 0.8
+            && (self.pairs < 0.05 || self.color < 0.8)
+    }
+}
+
+/// A surface point within this of the seen depth is the seen one.
+const SAME: f32 = 0.08;
+
+/// The best plane; None when too little is solid to judge.
+///
+/// `g`: in the unit frame, Z up.
+pub fn find(g: &Gaussians, seen: &Seen) -> Option<Fit> {
+    let evidence = Evidence::new(g, seen)?;
+    let variation = variation(&evidence);
+    let score = |heading: f32, offset: f32| judge(&evidence, variation, plane(&evidence, heading, offset));
+    let coarse: Vec<(f32, f32, f32)> = (0..60 * 31)
+        .into_par_iter()
+        .map(|k| {
+            let (heading, offset) = ((k % 60) as f32 * 3.0, (k / 60) as f32 * 0.03 - 0.45);
+            (score(heading, offset).cost(), heading, offset)
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..coarse.len()).collect();
+    order.sort_by(|a, b| coarse[*a].0.total_cmp(&coarse[*b].0).then(a.cmp(b)));
+    let apart = |a: &(f32, f32, f32), b: &(f32, f32, f32)| {
+        let turn = (a.1 - b.1).abs();
+        turn.min(180.0 - turn) > 15.0 || (a.2 - b.2).abs() > 0.15
+    };
+    let mut best: Vec<(f32, f32, f32)> = Vec::new();
+    for k in order {
+        if best.iter().all(|b| apart(b, &coarse[k])) {
+            best.push(coarse[k]);
+        }
+        if best.len() == 4 {
+            break;
+        }
+    }
+    let refined = best.into_iter().map(|start| closer(start, &score));
+    let best = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut fit = score(best.1, best.2);
+    fit.silhouette = silhouette(g, seen, &fit.plane);
+    Some(fit)
+}
+
+/// Steps of heading and offset, halved when none helps.
+fn closer(mut at: (f32, f32, f32), score: &impl Fn(f32, f32) -> Fit) -> (f32, f32, f32) {
+    let (mut turn, mut shift) = (1.5, 0.015);
+    for _ in 0..24 {
+        let tries = [(turn, 0.0), (-turn, 0.0), (0.0, shift), (0.0, -shift)];
+        let next = tries
+            .map(|(t, s)| (score(at.1 + t, at.2 + s).cost(), at.1 + t, at.2 + s))
+            .into_iter()
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        match next {
+            Some(next) if next.0 < at.0 => at = next,
+            _ => (turn, shift) = (turn / 2.0, shift / 2.0),
+        }
+        if turn < 0.1 {
+            break;
+        }
+    }
+    at
+}
+
+/// Vertical, its normal's heading counter-clockwise from +X in degrees, turned towards the camera.
+fn plane(evidence: &Evidence, heading: f32, offset: f32) -> Plane {
+    let (sin, cos) = heading.to_radians().sin_cos();
+    let plane = Plane { normal: Vec3::new(cos, sin, 0.0), offset };
+    if plane.distance(evidence.camera.position()) >= 0.0 {
+        plane
+    } else {
+        Plane { normal: -plane.normal, offset: -offset }
+    }
+}
+
+/// Mean colour difference between seen points taken at random.
+fn variation(evidence: &Evidence) -> f32 {
+    let points = &evidence.points;
+    let n = points.len();
+    let other = |i: usize| (i * 7919 + n / 2) % n;
+    let sum: f32 = (0..n).map(|i| difference(points[i].1, points[other(i)].1)).sum();
+    (sum / n as f32).max(0.01)
+}
+
+fn difference(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).sum::<f32>() / 3.0
+}
+
+fn judge(evidence: &Evidence, variation: f32, plane: Plane) -> Fit {
+    let shape: f32 = evidence.shape.iter().step_by(2).map(|p| evidence.field.at(plane.reflect(*p)).min(Field::FAR)).sum();
+    let shape = shape / evidence.shape.len().div_ceil(2) as f32;
+    let size = evidence.camera.width as usize;
+    let (mut contradicted, mut pairs, mut hidden, mut color) = (0.0, 0.0, 0.0, 0.0);
+    for &(p, c) in &evidence.points {
+        let at = projected(&evidence.camera, plane.reflect(p));
+        if !(at.x >= 0.0 && at.y >= 0.0 && at.x < size as f32 && at.y < size as f32) {
+            contradicted += 1.0;
+            continue;
+        }
+        let i = at.y as usize * size + at.x as usize;
+        if evidence.outside[i] > 0.0 {
+            contradicted += (evidence.outside[i] / 6.0).min(1.0);
+            continue;
+        }
+        if evidence.depth[i] <= 0.0 {
+            continue;
+        }
+        let behind = at.z - evidence.depth[i];
+        if behind > SAME {
+            hidden += 1.0;
+        } else if behind < -SAME {
+            contradicted += ((-behind - SAME) / 0.15).min(1.0);
+        } else if plane.distance(p).abs() > 0.06 {
+            pairs += 1.0;
+            color += difference(c, evidence.color[i]) / variation;
+        }
+    }
+    let all = evidence.points.len() as f32;
+    Fit {
+        plane,
+        shape,
+        contradicted: contradicted / all,
+        color: if pairs > 20.0 { color / pairs } else { 1.0 },
+        pairs: pairs / all,
+        hidden: hidden / all,
+        silhouette: 0.0,
+    }
+}
+
+fn silhouette(g: &Gaussians, seen: &Seen, plane: &Plane) -> f32 {
+    let frame = splat::render(g, &plane.camera(&seen.camera), [0.5; 3]);
+    let mask = flipped(seen.mask, seen.camera.width as usize);
+    let (mut both, mut either) = (0u32, 0u32);
+    for (a, m) in frame.alpha.iter().zip(&mask) {
+        let (a, m) = (*a > 0.5, *m > 0.5);
+        both += u32::from(a && m);
+        either += u32::from(a || m);
+    }
+    both as f32 / either.max(1) as f32
+}
