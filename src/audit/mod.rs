@@ -7,7 +7,7 @@
 pub mod by_hand;
 pub mod canonical;
 pub mod data_folder;
-mod disk;
+pub(crate) mod disk;
 pub mod dsse;
 pub mod inband;
 pub mod keys;
