@@ -9,12 +9,14 @@ pub mod cli;
 pub mod error;
 pub mod export;
 pub mod geo;
+pub mod memory;
 pub mod mesh;
 pub mod models;
 pub mod photo;
 pub mod pipeline;
 pub mod preview;
 pub mod progress;
+pub mod sources;
 pub mod splat;
 pub mod views;
 

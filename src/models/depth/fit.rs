@@ -41,12 +41,8 @@ pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Optio
     let seen = splat::render(&view.gaussians, &camera, [0.0; 3]);
     let size = GRID as usize;
     let crop = view.crop;
-    let rect = Rect {
-        x: crop.x / scale.0,
-        y: crop.y / scale.1,
-        width: crop.width / scale.0,
-        height: crop.height / scale.1,
-    };
+    let rect =
+        Rect { x: crop.x / scale.0, y: crop.y / scale.1, width: crop.width / scale.0, height: crop.height / scale.1 };
     let d = sample_plane(depth, rect, size, size, crate::photo::Edge::Clamp);
     let whole = Rect { x: 0.0, y: 0.0, width: view.mask.width as f32, height: view.mask.height as f32 };
     let mask = sample_plane(&view.mask, whole, size, size, crate::photo::Edge::Clamp);
@@ -95,7 +91,13 @@ fn robust_line(pairs: &[(f64, f64)]) -> Option<Fit> {
         return None;
     }
     let mut weights = vec![1.0; pairs.len()];
+    // Least absolute deviations first: from plain least squares the biweight can end between the crowd and its outliers.
     for _ in 0..20 {
+        let (line, _) = least_squares(pairs, &weights)?;
+        let residual = |(x, y): &(f64, f64)| (y - line.0 * x - line.1).abs();
+        weights.iter_mut().zip(pairs).for_each(|(w, p)| *w = 1.0 / residual(p).max(1e-6));
+    }
+    for _ in 0..15 {
         let (line, _) = least_squares(pairs, &weights)?;
         let mut residuals: Vec<f64> = pairs.iter().map(|(x, y)| (y - line.0 * x - line.1).abs()).collect();
         for (w, r) in weights.iter_mut().zip(&residuals) {
@@ -109,8 +111,13 @@ fn robust_line(pairs: &[(f64, f64)]) -> Option<Fit> {
     }
     let ((gain, shift), correlation) = least_squares(pairs, &weights)?;
     let inliers = weights.iter().filter(|w| **w > 0.1).count() as f64 / pairs.len() as f64;
-    (gain > 0.0 && correlation >= LEAST_CORRELATION && inliers >= 0.5)
-        .then_some(Fit { gain, shift, inliers, correlation, moved: 0 })
+    (gain > 0.0 && correlation >= LEAST_CORRELATION && inliers >= 0.5).then_some(Fit {
+        gain,
+        shift,
+        inliers,
+        correlation,
+        moved: 0,
+    })
 }
 
 /// Slope, intercept and correlation.

@@ -18,6 +18,10 @@ use discovery::Search;
 pub trait Engine: Sync {
     /// As the record of a run names it, e.g. `rten 0.27`.
     fn name(&self) -> &str;
+    /// Runs on a GPU.
+    fn on_gpu(&self) -> bool {
+        false
+    }
     /// # Errors
     /// An environment error when the bytes are no ONNX graph that this engine can run.
     fn load(&self, onnx: &[u8]) -> Result<Box<dyn Graph>>;

@@ -80,10 +80,6 @@ impl Ort {
             .into()
     }
 
-    pub fn on_gpu(&self) -> bool {
-        matches!(self.provider, Provider::Cuda | Provider::Tensorrt)
-    }
-
     /// Options of a session that runs a few times and goes: no memory kept for later, exact graph as in the file.
     fn builder(&self) -> Result<SessionBuilder> {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -137,6 +133,10 @@ impl Ort {
 impl Engine for Ort {
     fn name(&self) -> &str {
         &self.name
+    }
+
+    fn on_gpu(&self) -> bool {
+        matches!(self.provider, Provider::Cuda | Provider::Tensorrt)
     }
 
     fn load(&self, onnx: &[u8]) -> Result<Box<dyn Graph>> {

@@ -304,10 +304,10 @@ fn fields(mut bytes: &[u8]) -> Vec<(u8, Vec<u8>)> {
 fn external_data_comes_along_and_never_from_elsewhere() {
     let bench = Bench::new();
     let kernel: Vec<u8> = (0..147).flat_map(|_| (1f32 / 147.0).to_le_bytes()).collect();
-    bench.file("net/k.bin", &kernel);
-    let model = bench.file("net/model.onnx", &with_external("k.bin", "588"));
+    bench.file("net/k.onnx_data", &kernel);
+    let model = bench.file("net/model.onnx", &with_external("k.onnx_data", "588"));
     let made = bench.import(&trusting(std::slice::from_ref(&model))).unwrap();
-    assert_eq!(made.files.iter().map(|f| f.path.as_str()).collect::<Vec<_>>(), ["k.bin", "model.onnx"]);
+    assert_eq!(made.files.iter().map(|f| f.path.as_str()).collect::<Vec<_>>(), ["k.onnx_data", "model.onnx"]);
     let network = bench.registry.verified(&made).unwrap();
     use crate::models::{Engine as _, Tensor};
     let graph = Rten.load_file(&network.path(Role::Depth).unwrap()).unwrap();
@@ -315,21 +315,22 @@ fn external_data_comes_along_and_never_from_elsewhere() {
     let out = graph.run(&[("pixel_values", &grey)]).unwrap();
     assert!((out[0].1.data[518 * 259 + 259] - 5.5).abs() < 1e-4);
 
-    for location in ["../net/k.bin", "/etc/hostname", "..\\k.bin", "C:k.bin", "a/../k.bin", ""] {
+    for location in ["../net/k.onnx_data", "/etc/hostname", "..\\k.onnx_data", "C:k.onnx_data", "a/../k.onnx_data", ""]
+    {
         let path = bench.file("net/bad.onnx", &with_external(location, "588"));
         let error = bench.import(&Import { id: Some("bad".into()), ..trusting(&[path]) }).unwrap_err();
         assert!(error.kind == Kind::Usage && error.to_string().contains("somewhere else"), "{location}: {error}");
     }
-    let path = bench.file("net/bad.onnx", &with_external("k.bin", "999"));
+    let path = bench.file("net/bad.onnx", &with_external("k.onnx_data", "999"));
     assert!(bench.import(&trusting(&[path])).unwrap_err().found.contains("588"));
-    bench.file("net/k.bin", &kernel[..500]);
+    bench.file("net/k.onnx_data", &kernel[..500]);
     let error = bench.import(&Import { id: Some("short".into()), ..trusting(&[model]) }).unwrap_err();
     assert!(error.found.contains("500 bytes"), "{error}");
     #[cfg(unix)]
     {
-        std::fs::remove_file(bench.dir.path().join("from/net/k.bin")).unwrap();
-        std::os::unix::fs::symlink("/etc/hostname", bench.dir.path().join("from/net/k.bin")).unwrap();
-        let path = bench.file("net/model.onnx", &with_external("k.bin", "588"));
+        std::fs::remove_file(bench.dir.path().join("from/net/k.onnx_data")).unwrap();
+        std::os::unix::fs::symlink("/etc/hostname", bench.dir.path().join("from/net/k.onnx_data")).unwrap();
+        let path = bench.file("net/model.onnx", &with_external("k.onnx_data", "588"));
         let error = bench.import(&Import { id: Some("link".into()), ..trusting(&[path]) }).unwrap_err();
         assert!(error.found.contains("a link to"), "{error}");
     }

@@ -12,9 +12,11 @@ use crate::{Error, Result};
 pub type Embedding = Vec<(String, Tensor)>;
 
 pub fn embed(photo: &RgbImage, family: Family, fit: Fit, graph: &dyn Graph) -> Result<Embedding> {
-    let input = graph.inputs().into_iter().next().ok_or_else(|| {
-        Error::environment("the mask network's encoder").expected("an input").found("none")
-    })?;
+    let input = graph
+        .inputs()
+        .into_iter()
+        .next()
+        .ok_or_else(|| Error::environment("the mask network's encoder").expected("an input").found("none"))?;
     let whole = Rect { x: 0.0, y: 0.0, width: photo.width() as f32, height: photo.height() as f32 };
     let covered = fit.covered.map(|v| (v.round() as usize).clamp(1, FRAME));
     let pixels = sample_colour(photo, whole, covered[0], covered[1], Edge::Clamp);

@@ -87,16 +87,18 @@ pub fn external_paths(graph: &str, description: &Description) -> Result<Vec<Stri
     Ok(paths)
 }
 
+/// Gets bytes and, from an archive, their packed size; gives how many bytes there were.
+type Take<'a> = &'a mut dyn FnMut(&mut dyn Read, Option<u64>) -> Result<u64>;
+
 /// A place to copy from.
 trait Source {
-    /// Hands the entry's bytes and, for an archive, its packed size to `take`.
-    fn open(&self, name: &str, take: &mut dyn FnMut(&mut dyn Read, Option<u64>) -> Result<u64>) -> Result<u64>;
+    fn open(&self, name: &str, take: Take) -> Result<u64>;
 }
 
 struct Folder<'a>(&'a Path);
 
 impl Source for Folder<'_> {
-    fn open(&self, name: &str, take: &mut dyn FnMut(&mut dyn Read, Option<u64>) -> Result<u64>) -> Result<u64> {
+    fn open(&self, name: &str, take: Take) -> Result<u64> {
         let path = self.0.join(name);
         let real = fs::canonicalize(&path)
             .map_err(|e| Error::io(&path, &e).advice("The network's files must lie together."))?;
@@ -117,7 +119,7 @@ impl Source for Folder<'_> {
 struct Archive(std::cell::RefCell<zip::ZipArchive<io::BufReader<fs::File>>>);
 
 impl Source for Archive {
-    fn open(&self, name: &str, take: &mut dyn FnMut(&mut dyn Read, Option<u64>) -> Result<u64>) -> Result<u64> {
+    fn open(&self, name: &str, take: Take) -> Result<u64> {
         let mut archive = self.0.borrow_mut();
         let mut entry = archive
             .by_name(name)
