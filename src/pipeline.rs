@@ -10,9 +10,10 @@ use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
 use crate::photo::Photo;
 use crate::progress::Progress;
+use crate::sources::{self, Sources};
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
 use crate::symmetry::{self, Fit, MirroredPhoto, Use};
-use crate::{Result, views};
+use crate::{Result, memory, views};
 
 /// Pixels across each of the six views.
 const VIEW_SIZE: u32 = 256;
@@ -39,11 +40,13 @@ pub struct Settings {
     pub levels: usize,
 }
 
-/// How long a stage took.
+/// What a stage took.
 #[derive(Clone, Copy, Debug)]
 pub struct Timing {
     pub stage: &'static str,
     pub time: Duration,
+    /// Highest resident memory in it, bytes, where the system says.
+    pub memory: Option<u64>,
 }
 
 /// The subject's plane of symmetry, as far as there is one.
@@ -65,27 +68,46 @@ pub struct Reconstruction {
     pub report: Report,
     pub model: Model,
     pub timings: Vec<Timing>,
+    /// What took the built-in networks' place.
+    pub sources: sources::Outcome,
 }
 
-/// Stages 2 to 5.
+/// Stages 2 to 5. `sources` says what takes the place of the built-in networks, which run on `engine`.
 ///
 /// # Errors
 /// `Usage` for a photo without a subject, `Cancelled`.
 pub fn reconstruct(
     photo: &Photo,
     engine: &dyn Engine,
+    sources: &Sources,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Reconstruction> {
-    let mut clock = Clock::default();
-    progress.begin("mask and depth", 0);
+    let mut clock = Clock::new();
+    let mut outcome = sources::Outcome::default();
     // Each network is loaded when its turn comes and gone before the next.
-    let subject = scene::subject(&photo.pixels, photo.cutout.as_ref(), &*engine.load(prior::SCENE.verified()?)?)?;
+    progress.begin("mask", 0);
+    let mask = sources.mask(photo, &mut outcome, progress)?;
+    if mask.is_some() {
+        clock.lap("mask");
+    }
+    progress.begin("mask and depth", 0);
+    let cutout = mask.as_ref().or(photo.cutout.as_ref());
+    let mut subject = scene::subject(&photo.pixels, cutout, &*engine.load(prior::SCENE.verified()?)?)?;
     clock.lap("mask and depth");
+    progress.check()?;
+    progress.begin("depth", 0);
+    let depth = sources.depth(photo, &subject, &mut outcome)?;
+    if depth.is_some() {
+        clock.lap("depth");
+    }
     progress.check()?;
 
     progress.begin("3D from one view", 0);
     let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
+    if let Some(depth) = depth {
+        outcome.depth_fit = sources::fit_depth(&mut one_view, &mut subject, depth);
+    }
     clock.lap("3D from one view");
     progress.check()?;
 
@@ -101,8 +123,15 @@ pub fn reconstruct(
     progress.check()?;
 
     progress.begin("six views", 6);
-    let six = render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?;
-    let between = render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?;
+    let six = match sources.six_views(&mut one_view, &mut outcome, progress)? {
+        Some(given) => views::tile::framed(&given, GREY),
+        None => render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?,
+    };
+    // Views between the six are the prior's own; where others draw the six there is nothing to hold back.
+    let between = match outcome.views_are_the_priors() {
+        true => render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?,
+        false => Vec::new(),
+    };
     clock.lap("six views");
 
     let trained = optimise(&one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
@@ -137,6 +166,7 @@ pub fn reconstruct(
         model,
         timings: clock.timings,
         prior: one_view,
+        sources: outcome,
     })
 }
 
@@ -229,16 +259,16 @@ struct Clock {
     timings: Vec<Timing>,
 }
 
-impl Default for Clock {
-    fn default() -> Self {
+impl Clock {
+    fn new() -> Self {
+        memory::reset_peak();
         Clock { last: Instant::now(), timings: Vec::new() }
     }
-}
 
-impl Clock {
     fn lap(&mut self, stage: &'static str) {
         let now = Instant::now();
-        self.timings.push(Timing { stage, time: now - self.last });
+        self.timings.push(Timing { stage, time: now - self.last, memory: memory::peak() });
+        memory::reset_peak();
         self.last = now;
     }
 }

@@ -9,7 +9,7 @@ pub mod by_hand;
 pub mod canonical;
 pub mod checkpoint;
 pub mod data_folder;
-mod disk;
+pub(crate) mod disk;
 pub mod dsse;
 pub mod events;
 pub mod evidence;

@@ -9,16 +9,18 @@ use clap::{Args, ValueEnum};
 use orb_formats::cdb;
 
 use super::bar::Bar;
+use super::networks::{self, NetworkArgs};
 use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
-use crate::audit::statement::Param;
-use crate::audit::{Marking, Publication, StoreLock, lock_store, merge_into_store, record, time};
+use crate::audit::statement::{Model, Param};
+use crate::audit::{DataFolder, Marking, Publication, StoreLock, lock_store, merge_into_store, record, time};
 use crate::export::{self, Labels, ToMetres};
 use crate::geo::{Extents, HeadingSource, Known, Placement, Scale, View, metres_per_unit, parse_origin};
 use crate::models::{Engine, Rten, prior};
 use crate::photo::{self, Photo};
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
+use crate::sources::Outcome;
 use crate::{Error, Result, symmetry};
 
 /// What to publish beside `scene.ply`, `preview.png` and the record.
@@ -147,9 +149,16 @@ pub struct GeoArgs {
     #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
     pub facc: String,
 
+    #[command(flatten)]
+    pub networks: NetworkArgs,
+
     /// One JSON object on standard output.
     #[arg(long)]
     pub json: bool,
+
+    /// Memory stage by stage, the engine, and what the networks said.
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub verbose: bool,
 
     /// No progress, no summary.
     #[arg(short, long)]
@@ -276,7 +285,14 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         symmetry: args.symmetry.into(),
     };
     let bar = Bar::new(stop, args.quiet || args.json);
-    let done = pipeline::reconstruct(&photo, &Rten, &settings, &bar)?;
+    let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+    let mut say = |line: &str| {
+        if !args.quiet {
+            eprintln!("orb: {line}");
+        }
+    };
+    let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
+    let done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();
@@ -316,8 +332,8 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         event_type: "scene.generate",
         command: "orb geo",
         time: reading,
-        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
-        models: models(),
+        inputs: [vec![record::input(&name, &bytes, photo.media_type, "photo", None)], chosen.inputs].concat(),
+        models: models(&done.sources),
         params: params(args, &settings, &done, &placement, &scale),
     })?;
     bar.finish();
@@ -334,6 +350,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         time: &reading,
         store_model: store_model.as_deref(),
         steps_planned: settings.iterations,
+        verbose: args.verbose,
     };
     if args.json {
         println!("{}", summary::json(&summary)?);
@@ -433,11 +450,30 @@ fn place(plan: &Plan, given: Option<f64>, photo: &Photo) -> Placement {
 }
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
-fn models() -> Vec<crate::audit::statement::Model> {
-    let built_in = [&prior::SCENE, &prior::SPLAT]
-        .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name()));
-    let mut all = Vec::from(built_in);
-    all.extend(["sam2", "depth-anything-v2", "zero123pp", "gsplat", "colmap"].map(record::model_not_used));
+fn models(outcome: &Outcome) -> Vec<Model> {
+    let mut all = Vec::from(
+        [&prior::SCENE, &prior::SPLAT]
+            .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
+    );
+    all.extend(outcome.ran().map(|ran| {
+        let m = &ran.manifest;
+        Model {
+            licence: Some(m.licence.clone()),
+            pin_source: Some(m.pin_source().into()),
+            ..record::model(&m.id, &m.version, &m.weights_sha256(), m.bytes(), &ran.runtime)
+        }
+    }));
+    // The optimisation: a program, no weights; its version is the program's.
+    all.push(Model {
+        status: None,
+        version: Some(env!("CARGO_PKG_VERSION").into()),
+        runtime: Some("cpu".into()),
+        pin_source: Some("built-in".into()),
+        ..record::model_not_used("orb-splat-core")
+    });
+    let papers = [("sam2", &outcome.mask), ("depth-anything-v2", &outcome.depth), ("zero123pp", &outcome.views)];
+    all.extend(papers.iter().filter(|(_, ran)| ran.is_none()).map(|(id, _)| record::model_not_used(id)));
+    all.extend(["gsplat", "colmap"].map(record::model_not_used));
     all
 }
 
@@ -451,7 +487,7 @@ fn params(
     let text = |v: String| Param::Text(v);
     let formats: Vec<String> =
         args.format.iter().filter_map(|f| f.to_possible_value()).map(|v| v.get_name().to_owned()).collect();
-    BTreeMap::from([
+    let mut all = BTreeMap::from([
         ("seed".into(), text(args.seed.to_string())),
         ("formats".into(), text(formats.join(","))),
         ("device".into(), text("cpu".into())),
@@ -468,7 +504,24 @@ fn params(
         ("scale_source".into(), text(scale.source.label().into())),
         ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
         ("feature_code".into(), text(args.facc.clone())),
-    ])
+    ]);
+    let sources = &done.sources;
+    let mut add = |name: &str, value: Option<Param>| {
+        if let Some(value) = value {
+            all.insert(name.to_owned(), value);
+        }
+    };
+    add("mask_score", sources.mask_score.map(|(score, _)| text(format!("{score:.4}"))));
+    add("mask_refined", sources.mask_score.map(|(_, refined)| Param::Bool(refined)));
+    add("depth_used", sources.depth.as_ref().map(|_| Param::Bool(sources.depth_fit.is_some())));
+    add("six_views_sha256", sources.tile_sha256.clone().map(text));
+    add("six_views_from_cache", sources.views.as_ref().map(|_| Param::Bool(sources.tile_from_cache)));
+    add("diffusion_steps", sources.views.as_ref().map(|_| Param::Int(args.networks.diffusion_steps.into())));
+    for timing in &done.timings {
+        let name = format!("peak_memory_mib_{}", timing.stage.replace(' ', "_").to_lowercase());
+        add(&name, timing.memory.map(|bytes| Param::Int((bytes >> 20) as i64)));
+    }
+    all
 }
 
 #[cfg(test)]

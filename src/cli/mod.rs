@@ -5,7 +5,10 @@ mod bar;
 pub mod bench;
 mod cameras;
 pub mod device;
+pub mod doctor;
 pub mod geo;
+pub mod models;
+pub mod networks;
 pub mod render;
 mod sealed;
 mod summary;
@@ -37,6 +40,10 @@ enum Verb {
     /// Measure this machine.
     #[command(subcommand)]
     Bench(Bench),
+    /// Import networks, list, check and remove them. Nothing is downloaded.
+    Models(models::ModelsArgs),
+    /// Say what this machine has and lacks, a line each with what to do.
+    Doctor(doctor::DoctorArgs),
     /// Verify and show records, make keys.
     Audit(audit::AuditArgs),
 }
@@ -85,6 +92,12 @@ pub fn main() -> ExitCode {
             bar.finish();
             done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
         }
+        Verb::Models(args) => DataFolder::from_environment(|name| std::env::var_os(name))
+            .and_then(|data| models::run(&args, &data))
+            .map(show),
+        Verb::Doctor(args) => DataFolder::from_environment(|name| std::env::var_os(name))
+            .and_then(|data| doctor::run(&args, &data))
+            .map(show),
         Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| audit::run(&args, &data))
             .map(show),

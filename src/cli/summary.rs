@@ -11,7 +11,7 @@ use crate::geo::{Placement, Scale};
 use crate::models::prior;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
-use crate::{Error, Result};
+use crate::{Error, Result, memory};
 
 pub struct Summary<'a> {
     pub published: &'a Published,
@@ -26,6 +26,8 @@ pub struct Summary<'a> {
     /// Name of the model in the CDB store.
     pub store_model: Option<&'a str>,
     pub steps_planned: u32,
+    /// Also what each stage used and what the networks said.
+    pub verbose: bool,
 }
 
 /// Lines for a person.
@@ -71,7 +73,17 @@ pub fn text(s: &Summary) -> String {
         .chain([format!("writing and sealing {:.1} s", s.writing.as_secs_f64())])
         .collect();
     line("stages", stages.join(", "));
-    let memory = peak_memory().map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
+    let networks = networks(s);
+    if !networks.is_empty() {
+        line("networks", networks);
+    }
+    if s.verbose {
+        for t in &s.done.timings {
+            let memory = t.memory.map_or("unknown".into(), |b| format!("{} MiB", b >> 20));
+            line("memory", format!("{memory} at most during {}", t.stage));
+        }
+    }
+    let memory = peak_memory(s).map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
     line("used", format!("{:.1} s, {memory}", s.total.as_secs_f64()));
     out
 }
@@ -102,10 +114,15 @@ fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
 /// PSNR before → after on the photo; on the network's own views, which were exact before, how much is kept.
 fn quality(done: &Reconstruction) -> String {
     let [photo, photo_held_back, six, held_back] = qualities(done).map(|(_, pair)| pair);
-    format!(
-        "photo {:.1} → {:.1} dB, its held-back pixels {:.1} → {:.1} dB; six views kept to {:.1} dB, held-back views to {:.1} dB",
-        photo.0, photo.1, photo_held_back.0, photo_held_back.1, six.1, held_back.1
-    )
+    let photo = format!(
+        "photo {:.1} → {:.1} dB, its held-back pixels {:.1} → {:.1} dB",
+        photo.0, photo.1, photo_held_back.0, photo_held_back.1
+    );
+    // Views that others drew were not exact before, and have none between them.
+    match done.sources.views_are_the_priors() {
+        true => format!("{photo}; six views kept to {:.1} dB, held-back views to {:.1} dB", six.1, held_back.1),
+        false => format!("{photo}; six views {:.1} → {:.1} dB", six.0, six.1),
+    }
 }
 
 /// The object of `--json`.
@@ -123,21 +140,27 @@ pub fn json(s: &Summary) -> Result<String> {
         .done
         .timings
         .iter()
-        .map(|t| serde_json::json!({"name": t.stage, "seconds": t.time.as_secs_f64()}))
+        .map(|t| serde_json::json!({"name": t.stage, "seconds": t.time.as_secs_f64(), "peak_memory_bytes": t.memory}))
         .chain([serde_json::json!({"name": "writing and sealing", "seconds": s.writing.as_secs_f64()})])
         .collect();
     let o = &s.placement.origin;
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
+        .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
         .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
         .collect();
-    let models = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
+    let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
+    let imported = s.done.sources.ran().map(|r| {
+        let m = &r.manifest;
+        serde_json::json!({"id": m.id, "sha256": m.weights_sha256(), "runtime": r.runtime, "pinned": m.pinned})
+    });
+    let models: Vec<_> = built_in.into_iter().chain(imported).collect();
     let object = serde_json::json!({
         "folder": s.published.folder.display().to_string(),
         "outputs": outputs,
         "stages": stages,
         "seconds": s.total.as_secs_f64(),
-        "peak_memory_bytes": peak_memory(),
+        "peak_memory_bytes": peak_memory(s),
         "models": models,
         "device": "cpu",
         "georeference": {
@@ -156,9 +179,41 @@ pub fn json(s: &Summary) -> Result<String> {
     serde_json::to_string(&object).map_err(|e| Error::environment("--json").found(e.to_string()))
 }
 
-/// Highest resident memory of this process, bytes; `None` where the system does not say.
-fn peak_memory() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
-    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kib| kib * 1024)
+/// Highest resident memory of this run, bytes; `None` where the system does not say.
+fn peak_memory(s: &Summary) -> Option<u64> {
+    s.done.timings.iter().map(|t| t.memory).chain([memory::peak()]).flatten().max()
+}
+
+/// What took the built-in networks' place, and what came of it.
+fn networks(s: &Summary) -> String {
+    let o = &s.done.sources;
+    let mut words: Vec<String> = o.ran().map(|r| format!("{} ({})", r.manifest.id, r.runtime)).collect();
+    if let Some((score, refined)) = o.mask_score {
+        words.push(format!("mask score {score:.2}{}", if refined { ", refined" } else { "" }));
+    }
+    if o.mask_given {
+        words.push("mask from a file".into());
+    }
+    match (&o.depth, o.depth_fit) {
+        (Some(_), Some(fit)) => words.push(format!(
+            "depth fits the surface at {:.0}% of its pixels, correlation {:.2}",
+            fit.inliers * 100.0,
+            fit.correlation
+        )),
+        (Some(_), None) => words.push("depth contradicts the surface and moved nothing".into()),
+        _ => {}
+    }
+    if let Some(pose) = o.pose {
+        let from = match (&o.views, o.tile_from_cache) {
+            (None, _) => " from a file",
+            (Some(_), true) => " kept from an earlier run",
+            _ => "",
+        };
+        let degrees = pose.elevation.to_degrees();
+        words.push(format!(
+            "six views{from}, photo at {degrees:.0}° above them, silhouettes {:.0}% alike",
+            pose.iou * 100.0
+        ));
+    }
+    words.join("; ")
 }

@@ -57,9 +57,9 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
             Port::new("position", &[1, COUNT, 3]),
             Port::new("scale", &[1, COUNT, 3]),
             Port::new("rotation", &[1, COUNT, 4]),
-            Port { name: "opacity".into(), shape: None },
+            Port::any("opacity"),
             Port::new("color", &[1, COUNT, 3]),
-            Port { name: "elevation".into(), shape: None },
+            Port::any("elevation"),
         ],
     )?;
     let crop = crop_around(subject);

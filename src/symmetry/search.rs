@@ -127,7 +127,8 @@ fn difference(a: [f32; 3], b: [f32; 3]) -> f32 {
 }
 
 fn judge(evidence: &Evidence, variation: f32, plane: Plane) -> Fit {
-    let shape: f32 = evidence.shape.iter().step_by(2).map(|p| evidence.field.at(plane.reflect(*p)).min(Field::FAR)).sum();
+    let shape: f32 =
+        evidence.shape.iter().step_by(2).map(|p| evidence.field.at(plane.reflect(*p)).min(Field::FAR)).sum();
     let shape = shape / evidence.shape.len().div_ceil(2) as f32;
     let size = evidence.camera.width as usize;
     let (mut contradicted, mut pairs, mut hidden, mut color) = (0.0, 0.0, 0.0, 0.0);

@@ -95,10 +95,8 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Surface {
     let bounds = |points: &[Vec3]| {
         points.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &p| (lo.min(p), hi.max(p)))
     };
-    let mut moved = Surface {
-        positions: truth.positions.iter().map(|p| turn * *p).collect(),
-        triangles: truth.triangles.clone(),
-    };
+    let mut moved =
+        Surface { positions: truth.positions.iter().map(|p| turn * *p).collect(), triangles: truth.triangles.clone() };
     let ((lo, hi), (low, high)) = (bounds(&moved.positions), bounds(&found.points));
     let scale = high.distance(low) / hi.distance(lo).max(1e-6);
     let shift = (low + high) / 2.0 - scale * (lo + hi) / 2.0;
@@ -138,12 +136,21 @@ mod tests {
     use super::*;
 
     fn block(size: Vec3) -> Surface {
-        let positions = (0..8)
-            .map(|k| size * (Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) - 0.5))
-            .collect();
+        let positions =
+            (0..8).map(|k| size * (Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) - 0.5)).collect();
         let triangles = [
-            [0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4],
-            [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5],
+            [0, 2, 1],
+            [1, 2, 3],
+            [4, 5, 6],
+            [5, 7, 6],
+            [0, 1, 4],
+            [1, 5, 4],
+            [2, 6, 3],
+            [3, 6, 7],
+            [0, 4, 2],
+            [2, 4, 6],
+            [1, 3, 5],
+            [3, 7, 5],
         ];
         Surface { positions, triangles: triangles.to_vec() }
     }

@@ -150,7 +150,9 @@ fn psnr(g: &Gaussians, level: &Level, size: u32) -> f64 {
             let drawn = mesh::raster(&level.mesh, Some(&level.texture), camera, [128; 3], 3);
             let pixels = drawn.pixels().zip(&frame.color);
             let sum: f64 = pixels
-                .flat_map(|(a, b)| (0..3).map(move |k| f64::from(f32::from(a.0[k]) / 255.0 - b[k].clamp(0.0, 1.0)).powi(2)))
+                .flat_map(|(a, b)| {
+                    (0..3).map(move |k| f64::from(f32::from(a.0[k]) / 255.0 - b[k].clamp(0.0, 1.0)).powi(2))
+                })
                 .sum();
             sum / (3 * size * size) as f64
         })

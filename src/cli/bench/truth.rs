@@ -54,8 +54,11 @@ fn glb(bytes: &[u8]) -> Option<Surface> {
     let binary = bytes.get(28 + length..)?;
     let mut surface = Surface::default();
     let scene = json["scene"].as_u64().unwrap_or(0) as usize;
-    let mut stack: Vec<(usize, Mat4)> =
-        json["scenes"][scene]["nodes"].as_array()?.iter().filter_map(|n| Some((n.as_u64()? as usize, Mat4::IDENTITY))).collect();
+    let mut stack: Vec<(usize, Mat4)> = json["scenes"][scene]["nodes"]
+        .as_array()?
+        .iter()
+        .filter_map(|n| Some((n.as_u64()? as usize, Mat4::IDENTITY)))
+        .collect();
     while let Some((index, above)) = stack.pop() {
         let node = &json["nodes"][index];
         let place = above * local(node);

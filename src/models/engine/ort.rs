@@ -1,0 +1,240 @@
+//! A user's ONNX Runtime, loaded at run time: the CPU, CUDA, TensorRT.
+//!
+//! One library serves the whole process; what is loaded first stays.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use half::f16;
+use ort::environment::Environment;
+use ort::ep::{self, ExecutionProvider as _};
+use ort::session::builder::SessionBuilder;
+use ort::session::{Session, SessionInputValue};
+use ort::value::{DynValue, Outlet, Tensor as OrtTensor, TensorElementType as Type, TensorRef, ValueType};
+
+use super::discovery::{Candidate, State};
+use super::{Engine, Graph, Provider};
+use crate::models::{Element, Port, Tensor};
+use crate::{Error, Result};
+
+/// The minor version of a library that is an ONNX Runtime 1.
+pub(super) fn probe(path: &Path) -> Option<u32> {
+    ort::util::probe(path)
+}
+
+/// An ONNX Runtime with a provider that works.
+pub struct Ort {
+    environment: Environment,
+    name: String,
+    provider: Provider,
+    /// TensorRT's engines, minutes to build, are kept here.
+    cache: Option<std::path::PathBuf>,
+}
+
+impl Ort {
+    /// # Errors
+    /// An environment error when the library does not load, or the provider that was asked for does not work.
+    pub fn open(found: &Candidate, provider: Provider, cache: Option<&Path>, say: &mut dyn FnMut(&str)) -> Result<Ort> {
+        let path = std::path::absolute(&found.path).ok().filter(|p| p.is_file()).unwrap_or_else(|| found.path.clone());
+        let failed = |e: &dyn std::fmt::Display| {
+            Error::environment(path.display().to_string()).expected("an ONNX Runtime").found(e.to_string())
+        };
+        let builder = ort::init_from(&path).map_err(|e| failed(&e))?;
+        let environment = builder.with_telemetry(false).build().map_err(|e| failed(&e))?;
+        environment.set_log_level(ort::logging::LogLevel::Error);
+        let minor = match found.state {
+            State::Good(minor) => format!("1.{minor}"),
+            _ => "1".into(),
+        };
+        let mut engine = Ort { environment, name: String::new(), provider, cache: cache.map(Path::to_owned) };
+        if provider == Provider::Auto {
+            engine.provider = Provider::Cuda;
+            if let Err(e) = engine.builder() {
+                if !e.found.contains("built without") {
+                    say(&format!("CUDA is not used: {}", e.found));
+                }
+                engine.provider = Provider::Cpu;
+            }
+        } else {
+            // A provider that was asked for must work: found out now, not at the first network.
+            engine.builder()?;
+        }
+        engine.name = format!("ONNX Runtime {minor} {}", engine.provider.name());
+        say(&format!("{} ({}, {})", engine.name, found.origin, found.path.display()));
+        Ok(engine)
+    }
+
+    /// Which providers this library was built with: name, and why not, if not.
+    pub fn providers(&self) -> Vec<(&'static str, Option<String>)> {
+        [Provider::Cpu, Provider::Cuda, Provider::Tensorrt]
+            .map(|provider| {
+                let tried = Ort {
+                    environment: self.environment.clone(),
+                    name: String::new(),
+                    provider,
+                    cache: self.cache.clone(),
+                }
+                .builder();
+                (provider.name(), tried.err().map(|e| e.found))
+            })
+            .into()
+    }
+
+    /// Options of a session that runs a few times and goes: no memory kept for later, exact graph as in the file.
+    fn builder(&self) -> Result<SessionBuilder> {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let failed = |e: String| {
+            Error::environment(format!("ONNX Runtime's provider {}", self.provider.name()))
+                .expected("one that works on this machine")
+                .found(e)
+                .advice("Choose --provider cpu, or install the runtime's GPU build with the libraries it names.")
+        };
+        let plain = |e: ort::Error<SessionBuilder>| failed(e.to_string());
+        let builder = Session::builder(&self.environment)
+            .map_err(|e| failed(e.to_string()))?
+            .with_intra_threads(threads)
+            .map_err(plain)?
+            .with_memory_pattern(false)
+            .map_err(plain)?;
+        let compiled = |available: ort::Result<bool>| match available {
+            Ok(true) => Ok(()),
+            _ => Err(failed("a library built without it".into())),
+        };
+        let cuda = || ep::CUDA::default().with_arena_extend_strategy(ep::ArenaExtendStrategy::SameAsRequested);
+        let providers = match self.provider {
+            // Memory goes back to the system when a session goes.
+            Provider::Auto | Provider::Cpu => vec![ep::CPU::default().with_arena_allocator(false).build()],
+            Provider::Cuda => {
+                compiled(ep::CUDA::is_available())?;
+                vec![cuda().build().error_on_failure()]
+            }
+            Provider::Tensorrt => {
+                compiled(ep::TensorRT::is_available())?;
+                let mut tensorrt = ep::TensorRT::default();
+                if let Some(folder) = &self.cache {
+                    std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, &e))?;
+                    tensorrt = tensorrt.with_engine_cache(true).with_engine_cache_path(folder.display());
+                }
+                // What TensorRT leaves, CUDA takes.
+                vec![tensorrt.build().error_on_failure(), cuda().build().error_on_failure()]
+            }
+        };
+        builder.with_execution_providers(providers).map_err(plain)
+    }
+
+    fn loaded(session: ort::Result<Session>, what: &str) -> Result<Box<dyn Graph>> {
+        let session = session.map_err(|e| {
+            Error::environment(what).expected("an ONNX file that ONNX Runtime reads").found(e.to_string())
+        })?;
+        Ok(Box::new(Loaded(RefCell::new(session))))
+    }
+}
+
+impl Engine for Ort {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn on_gpu(&self) -> bool {
+        matches!(self.provider, Provider::Cuda | Provider::Tensorrt)
+    }
+
+    fn load(&self, onnx: &[u8]) -> Result<Box<dyn Graph>> {
+        Ort::loaded(self.builder()?.commit_from_memory(onnx), "network graph")
+    }
+
+    fn load_file(&self, path: &Path) -> Result<Box<dyn Graph>> {
+        Ort::loaded(self.builder()?.commit_from_file(path), &path.display().to_string())
+    }
+}
+
+/// A session wants to be borrowed for itself while it runs.
+struct Loaded(RefCell<Session>);
+
+fn element(ty: Type) -> Element {
+    match ty {
+        Type::Float32 => Element::F32,
+        Type::Float16 => Element::F16,
+        Type::Float64 => Element::F64,
+        Type::Int64 => Element::I64,
+        Type::Int32 => Element::I32,
+        Type::Bool => Element::Bool,
+        _ => Element::Other,
+    }
+}
+
+fn port(outlet: &Outlet) -> Port {
+    let (shape, element) = match outlet.dtype() {
+        ValueType::Tensor { ty, shape, .. } => {
+            (Some(shape.iter().map(|&d| usize::try_from(d).ok()).collect()), Some(element(*ty)))
+        }
+        _ => (None, Some(Element::Other)),
+    };
+    Port { name: outlet.name().to_owned(), shape, element }
+}
+
+impl Graph for Loaded {
+    fn inputs(&self) -> Vec<Port> {
+        self.0.borrow().inputs().iter().map(port).collect()
+    }
+
+    fn outputs(&self) -> Vec<Port> {
+        self.0.borrow().outputs().iter().map(port).collect()
+    }
+
+    fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+        let failed = |e: &dyn std::fmt::Display| Error::environment("network").found(e.to_string());
+        let ports = self.inputs();
+        let mut fed: Vec<(&str, SessionInputValue)> = Vec::with_capacity(inputs.len());
+        for (name, tensor) in inputs {
+            let port = ports.iter().find(|p| p.name == *name).ok_or_else(|| {
+                Error::environment(format!("network input {name}")).found("no input of that name in the graph")
+            })?;
+            let value = feed(tensor, port.element.unwrap_or(Element::F32)).map_err(|e| failed(&e))?;
+            fed.push((name, value));
+        }
+        let mut session = self.0.borrow_mut();
+        let outputs = session.run(fed).map_err(|e| failed(&e))?;
+        outputs.iter().map(|(name, value)| Ok((name.to_owned(), taken(name, &value)?))).collect()
+    }
+}
+
+/// In the type that the graph wants.
+fn feed<'a>(tensor: &'a Tensor, element: Element) -> ort::Result<SessionInputValue<'a>> {
+    let shape = tensor.shape.clone();
+    let data = tensor.data.as_slice();
+    Ok(match element {
+        Element::F16 => {
+            let half: Vec<f16> = data.iter().map(|&v| f16::from_f32(v)).collect();
+            OrtTensor::from_array((shape, half))?.into()
+        }
+        Element::F64 => OrtTensor::from_array((shape, data.iter().map(|&v| f64::from(v)).collect::<Vec<_>>()))?.into(),
+        Element::I64 => OrtTensor::from_array((shape, data.iter().map(|&v| v as i64).collect::<Vec<_>>()))?.into(),
+        Element::I32 => OrtTensor::from_array((shape, data.iter().map(|&v| v as i32).collect::<Vec<_>>()))?.into(),
+        Element::Bool => OrtTensor::from_array((shape, data.iter().map(|&v| v != 0.0).collect::<Vec<_>>()))?.into(),
+        Element::F32 | Element::Other => TensorRef::from_array_view((shape, data))?.into(),
+    })
+}
+
+fn taken(name: &str, value: &DynValue) -> Result<Tensor> {
+    let wrong = |e: &dyn std::fmt::Display| {
+        Error::environment(format!("network output {name}")).expected("a tensor of numbers").found(e.to_string())
+    };
+    let ValueType::Tensor { ty, shape, .. } = value.dtype() else { return Err(wrong(&"no tensor")) };
+    let dims: Vec<usize> = shape.iter().map(|&d| usize::try_from(d).unwrap_or(0)).collect();
+    macro_rules! numbers {
+        ($type:ty, $convert:expr) => {
+            value.try_extract_tensor::<$type>().map_err(|e| wrong(&e))?.1.iter().map($convert).collect()
+        };
+    }
+    let data: Vec<f32> = match ty {
+        Type::Float32 => numbers!(f32, |v| *v),
+        Type::Float16 => numbers!(f16, |v| v.to_f32()),
+        Type::Float64 => numbers!(f64, |v| *v as f32),
+        Type::Int64 => numbers!(i64, |v| *v as f32),
+        Type::Int32 => numbers!(i32, |v| *v as f32),
+        Type::Bool => numbers!(bool, |v| f32::from(u8::from(*v))),
+        other => return Err(wrong(&format!("{other:?}"))),
+    };
+    Tensor::new(&dims, data)
+}

@@ -1,0 +1,14 @@
+//! Zero123++ 1.1 and 1.2: six views of the subject from one, by diffusion, from five graphs and a prompt.
+//!
+//! R. Shi et al., "Zero123++: a single image to consistent multi-view diffusion base model", arXiv:2310.15110. The sampler
+//! runs here; the graphs are the picture encoder of CLIP, the two halves of the VAE, and the UNet twice: as it writes what its
+//! self-attentions see of the photo, and as it reads that while it works on the views.
+
+pub mod cache;
+mod condition;
+mod prompt;
+mod sampler;
+mod scheduler;
+
+pub use prompt::Prompt;
+pub use sampler::{Settings, TILE, six_views};

@@ -1,0 +1,278 @@
+//! The sampler: noise to six views, the photo's own features at hand in every attention.
+
+use image::{Rgb, RgbImage};
+
+use super::condition::{self, Condition, LATENT};
+use super::{Prompt, scheduler};
+use crate::models::registry::Role;
+use crate::models::registry::family::{REFERENCES, reference_name};
+use crate::models::{Graph, Port, Tensor, take};
+use crate::progress::Progress;
+use crate::splat::train::random::Random;
+use crate::{Error, Result};
+
+/// Pixels of the tile: two views across, three down.
+pub const TILE: (u32, u32) = (640, 960);
+/// Of the latents that become the tile.
+const SAMPLE: [usize; 4] = [1, 4, 120, 80];
+/// The VAE's factor, and how Zero123++ shifts and scales around it.
+const VAE_FACTOR: f32 = 0.18215;
+
+/// What decides a tile, besides the picture and the weights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// 28 for objects in general, 75 for faces and fine detail.
+    pub steps: usize,
+    pub guidance: f32,
+    pub seed: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings { steps: 28, guidance: 4.0, seed: 0 }
+    }
+}
+
+/// Six views on grey, 640 × 960, of the subject in a square picture on grey (127).
+///
+/// `open` loads a graph when its turn comes; each is gone before the next but the two halves of the UNet, which take
+/// turns every step.
+///
+/// # Errors
+/// Environment for a graph that does not do what its contract says, `Cancelled`.
+pub fn six_views(
+    picture: &RgbImage,
+    prompt: &Prompt,
+    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<RgbImage> {
+    // Drawn in a fixed order: the same seed, the same noise.
+    let mut random = Random::new(settings.seed);
+    let with = condition::embedding(picture, prompt, &*open(Role::ClipVision)?)?;
+    let without = Tensor::new(&with.shape, prompt.empty.clone())?;
+    progress.check()?;
+    let (seen, grey) = {
+        let encoder = open(Role::VaeEncoder)?;
+        (condition::latents(picture, &*encoder, &mut random)?, condition::grey_latents(&*encoder, &mut random)?)
+    };
+    progress.check()?;
+    let latents = {
+        let unet = Unet { write: open(Role::UnetWrite)?, read: open(Role::UnetRead)? };
+        let branches = [Condition { text: without, latents: grey }, Condition { text: with, latents: seen }];
+        denoise(&unet, &branches, settings, &mut random, progress)?
+    };
+    let decoder = open(Role::VaeDecoder)?;
+    decode(latents, &*decoder)
+}
+
+/// The two halves of the UNet.
+struct Unet {
+    /// Photo's latents → the inputs of its sixteen self-attentions.
+    write: Box<dyn Graph>,
+    /// Noisy tile and those inputs → v.
+    read: Box<dyn Graph>,
+}
+
+impl Unet {
+    /// v of one branch. The condition carries the same noise level as the sample.
+    fn v(&self, sample: &Tensor, noisy_condition: Vec<f32>, text: &Tensor, timestep: &Tensor) -> Result<Vec<f32>> {
+        let condition = Tensor::new(&LATENT, noisy_condition)?;
+        let written =
+            self.write.run(&[("cond_sample", &condition), ("timestep", timestep), ("encoder_hidden_states", text)])?;
+        let mut fed: Vec<(String, &Tensor)> =
+            vec![("sample".into(), sample), ("timestep".into(), timestep), ("encoder_hidden_states".into(), text)];
+        for i in 0..REFERENCES.len() {
+            let name = reference_name(i);
+            let tensor = written.iter().find(|(n, _)| *n == name).map(|(_, t)| t).ok_or_else(|| {
+                Error::environment("the UNet's writing half").expected(format!("an output {name}")).found("none")
+            })?;
+            fed.push((name, tensor));
+        }
+        let fed: Vec<(&str, &Tensor)> = fed.iter().map(|(n, t)| (n.as_str(), *t)).collect();
+        let mut out = self.read.run(&fed)?;
+        take(&mut out, "v_prediction", SAMPLE.iter().product())
+    }
+}
+
+/// Branches: without the photo, with it.
+fn denoise(
+    unet: &Unet,
+    branches: &[Condition; 2],
+    settings: &Settings,
+    random: &mut Random,
+    progress: &dyn Progress,
+) -> Result<Vec<f32>> {
+    let schedule = scheduler::Schedule::new(settings.steps);
+    let count: usize = SAMPLE.iter().product();
+    let mut x: Vec<f32> = (0..count).map(|_| schedule.first_sigma() * random.normal()).collect();
+    progress.begin("six views, by diffusion", settings.steps as u64);
+    for (i, (&time, sigmas)) in schedule.timesteps.iter().zip(schedule.sigmas.windows(2)).enumerate() {
+        let [sigma, next] = [sigmas[0], sigmas[1]];
+        let sample = Tensor::new(&SAMPLE, scheduler::scaled(&x, sigma))?;
+        let timestep = Tensor::new(&[1], vec![time])?;
+        let mut v = Vec::with_capacity(2);
+        for branch in branches {
+            progress.check()?;
+            let noise: Vec<f32> = branch.latents.iter().map(|_| random.normal()).collect();
+            let condition = scheduler::noised(&branch.latents, &noise, sigma);
+            v.push(unet.v(&sample, condition, &branch.text, &timestep)?);
+        }
+        let v = scheduler::guided(&v[0], &v[1], settings.guidance);
+        let noise: Vec<f32> = (0..count).map(|_| random.normal()).collect();
+        scheduler::step(&mut x, &v, &noise, sigma, next);
+        progress.step(i as u64 + 1);
+    }
+    Ok(x)
+}
+
+/// The VAE's output is in the picture scale of Zero123++: ×0.8 / 0.5, then to 0..1.
+fn decode(latents: Vec<f32>, decoder: &dyn Graph) -> Result<RgbImage> {
+    let scaled = latents.into_iter().map(|v| (v / 0.75 + 0.22) / VAE_FACTOR).collect();
+    let name = decoder.inputs().first().map_or("latent_sample".to_owned(), |p: &Port| p.name.clone());
+    let mut out = decoder.run(&[(name.as_str(), &Tensor::new(&SAMPLE, scaled)?)])?;
+    let pixels = (TILE.0 * TILE.1) as usize;
+    let data = take(&mut out, "sample", 3 * pixels)?;
+    Ok(RgbImage::from_fn(TILE.0, TILE.1, |x, y| {
+        let i = (y * TILE.0 + x) as usize;
+        Rgb(std::array::from_fn(|c| {
+            let v = data[c * pixels + i] * 0.8 / 0.5 / 2.0 + 0.5;
+            (v.clamp(0.0, 1.0) * 255.0).round() as u8
+        }))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::registry::tests::stub;
+    use crate::models::{Engine as _, Rten};
+    use crate::progress::Silent;
+
+    fn open(role: Role) -> Result<Box<dyn Graph>> {
+        Rten.load_file(&stub(&format!("{}.onnx", role.name())))
+    }
+
+    fn prompt() -> Prompt {
+        Prompt { empty: vec![0.1; 77 * 1024], ramp: (0..77).map(|i| i as f32 / 77.0).collect() }
+    }
+
+    fn picture() -> RgbImage {
+        RgbImage::from_fn(320, 320, |x, y| Rgb([x as u8, y as u8, 60]))
+    }
+
+    #[test]
+    fn the_stubs_make_a_tile_the_same_for_the_same_seed() {
+        let settings = Settings { steps: 3, ..Settings::default() };
+        let tile = |seed| {
+            let settings = Settings { seed, ..settings };
+            six_views(&picture(), &prompt(), &mut open, &settings, &Silent).unwrap()
+        };
+        let first = tile(7);
+        assert_eq!(first.dimensions(), TILE);
+        assert!(first == tile(7) && first != tile(8));
+    }
+
+    /// v = sample / 2 + 0.001 · (mean text + time + Σ mean refs), as the reading stub computes; refs carry what was written.
+    struct Reading(std::cell::RefCell<Vec<(f32, f32, f32)>>);
+    impl Graph for Reading {
+        fn inputs(&self) -> Vec<Port> {
+            vec![]
+        }
+        fn outputs(&self) -> Vec<Port> {
+            vec![]
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            let get = |name: &str| inputs.iter().find(|(n, _)| *n == name).unwrap().1;
+            let references = inputs.iter().filter(|(n, _)| n.starts_with("ref_")).count();
+            assert_eq!((references, get("sample").shape.as_slice()), (16, &SAMPLE[..]));
+            let (time, text, reference) =
+                (get("timestep").data[0], get("encoder_hidden_states").data[0], get("ref_15").data[0]);
+            self.0.borrow_mut().push((time, text, reference));
+            // The branch with the photo (text 2) says 1, the one without says 0.25.
+            let v = if text == 2.0 { 1.0 } else { 0.25 };
+            Ok(vec![("v_prediction".into(), Tensor::new(&SAMPLE, vec![v; SAMPLE.iter().product()])?)])
+        }
+    }
+
+    /// Gives the first number of its latents as every reference.
+    struct Writing;
+    impl Graph for Writing {
+        fn inputs(&self) -> Vec<Port> {
+            vec![]
+        }
+        fn outputs(&self) -> Vec<Port> {
+            vec![]
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            let value = inputs[0].1.data[0];
+            assert_eq!((inputs[0].0, inputs[0].1.shape.as_slice()), ("cond_sample", &LATENT[..]));
+            (0..16).map(|i| Ok((reference_name(i), Tensor::new(&[1, 1, 1], vec![value])?))).collect()
+        }
+    }
+
+    #[test]
+    fn both_branches_read_their_own_references_and_guidance_mixes_them() {
+        let reading = std::rc::Rc::new(Reading(Default::default()));
+        struct Shared(std::rc::Rc<Reading>);
+        impl Graph for Shared {
+            fn inputs(&self) -> Vec<Port> {
+                vec![]
+            }
+            fn outputs(&self) -> Vec<Port> {
+                vec![]
+            }
+            fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+                self.0.run(inputs)
+            }
+        }
+        let unet = Unet { write: Box::new(Writing), read: Box::new(Shared(reading.clone())) };
+        let count: usize = LATENT.iter().product();
+        let branch = |text: f32, latent: f32| Condition {
+            text: Tensor::new(&[1, 1, 1], vec![text]).unwrap(),
+            latents: vec![latent; count],
+        };
+        let settings = Settings { steps: 2, guidance: 3.0, seed: 5 };
+        let made =
+            denoise(&unet, &[branch(1.0, 0.0), branch(2.0, 100.0)], &settings, &mut Random::new(5), &Silent).unwrap();
+        let seen = reading.0.borrow();
+        let order: Vec<(f32, f32)> = seen.iter().map(|s| (s.0, s.1)).collect();
+        assert_eq!(order, [(999.0, 1.0), (999.0, 2.0), (499.0, 1.0), (499.0, 2.0)]);
+        // At the least noise the condition shines through: 100 against 0, both with noise of deviation < 1.
+        assert!(seen[3].2 > 10.0 && seen[2].2.abs() < 5.0, "{seen:?}");
+        // By hand, with the same noise: v = 0.25 + 3 · 0.75 = 2.5 everywhere.
+        let mut random = Random::new(5);
+        let total: usize = SAMPLE.iter().product();
+        let schedule = scheduler::Schedule::new(2);
+        let mut x: Vec<f32> = (0..total).map(|_| schedule.first_sigma() * random.normal()).collect();
+        for s in schedule.sigmas.windows(2) {
+            for _ in 0..2 * count {
+                random.normal();
+            }
+            let noise: Vec<f32> = (0..total).map(|_| random.normal()).collect();
+            scheduler::step(&mut x, &vec![2.5; total], &noise, s[0], s[1]);
+        }
+        assert_eq!(made, x);
+    }
+
+    #[test]
+    fn latents_and_pictures_are_scaled_both_ways() {
+        // 0.75 · (0.18215 · z − 0.22) comes out as z, and z as z · 0.8 + 0.5.
+        struct Same;
+        impl Graph for Same {
+            fn inputs(&self) -> Vec<Port> {
+                vec![Port::any("latent_sample")]
+            }
+            fn outputs(&self) -> Vec<Port> {
+                vec![]
+            }
+            fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+                let z = inputs[0].1.data[0];
+                assert!((z - 0.3).abs() < 1e-5, "{z}");
+                Ok(vec![("sample".into(), Tensor::new(&[1, 3, 960, 640], vec![z; 3 * 960 * 640])?)])
+            }
+        }
+        let tile = decode(vec![0.75 * (VAE_FACTOR * 0.3 - 0.22); SAMPLE.iter().product()], &Same).unwrap();
+        assert_eq!(tile.get_pixel(639, 959).0, [(0.74f32 * 255.0).round() as u8; 3]);
+    }
+}
