@@ -131,14 +131,15 @@ def render_object(name, about, src, out):
 
     plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng))
     linear, _ = picture(plain, eye, PHOTO_SAMPLES, 2)
-    exposure = 1.0 / max(np.percentile(linear[mask > 0.9].max(1), 97), 0.25)
+    exposure = 0.9 / max(np.percentile(linear[mask > 0.9].max(1), 97), np.percentile(linear.max(-1), 85))
     level = brightness(linear, mask) * exposure
     Image.fromarray(srgb8(linear * exposure)).save(folder / "photo_plain.jpg", quality=93)
     del plain
 
     outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src))
     linear, _ = picture(outdoor, eye, PHOTO_SAMPLES, 3)
-    gain = level / brightness(linear, mask)
+    # As bright as in the plain photo, so that the truth views fit both; but no burnt surroundings.
+    gain = min(level / brightness(linear, mask), 0.65 / np.median(linear.max(-1)))
     Image.fromarray(srgb8(linear * gain)).save(folder / "photo_outdoor.jpg", quality=93)
     del outdoor
 
@@ -190,7 +191,7 @@ def main():
     parser.add_argument("--preview", action="store_true")
     args = parser.parse_args()
     objects = json.loads((HERE / "objects.json").read_text())["objects"]
-    objects = {n: a for n, a in objects.items() if not args.names or n in args.names}
+    objects = {n: objects[n] for n in args.names or objects}
     args.out.mkdir(parents=True, exist_ok=True)
     if args.preview:
         preview(objects, args.src, args.out)

@@ -154,7 +154,8 @@ def outdoor_scene(subject, radius, centre, photo_azimuth, rng, src):
     """The subject on open ground under sun and sky, with houses, trees, cars or street furniture behind."""
     sun = direction(photo_azimuth + rng.uniform(25, 85) * rng.choice([-1, 1]), rng.uniform(28, 55))
     scene = base_scene(False)
-    scene["sky"] = {"type": "sunsky", "sun_direction": sun.tolist(), "turbidity": float(rng.uniform(2.5, 5)), "sun_scale": 0.6}
+    sky = {"type": "sunsky", "sun_direction": sun.tolist(), "turbidity": float(rng.uniform(2.5, 5)), "sun_scale": 0.35}
+    scene["sky"] = sky
     ground = np.asarray(Image.open(fetch.resolve(str(rng.choice(GROUNDS)), src)).convert("RGB"))
     reach = 20000.0
     tile = float(np.clip(radius * 1.2, 1.0, 5.0))
