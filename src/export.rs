@@ -68,25 +68,57 @@ pub struct Labels {
     pub scale_source: &'static str,
 }
 
-/// The Gaussians in metres, the georeference in the header's comments, the marking first.
-pub fn scene_ply(g: &Gaussians, placement: &Placement, labels: &Labels) -> Result<File> {
+/// Gaussians of the unit frame as `path` in metres, the georeference in the header's comments, the marking first.
+pub fn gaussians_ply(
+    path: &str,
+    g: &Gaussians,
+    to_metres: &ToMetres,
+    placement: &Placement,
+    labels: &Labels,
+) -> Result<File> {
     let o = &placement.origin;
+    let centre = -to_metres.scale * to_metres.base;
     let comments = [
         labels.marking.line(),
         "frame: subject, right-handed, metres, Z up, +Y where the camera pointed, origin on the ground".into(),
         format!("origin WGS84 latitude {} longitude {} ellipsoidal height {} m", o.latitude, o.longitude, o.height),
         format!("heading of +Y {} degrees clockwise from true north ({})", placement.heading, labels.heading_source),
         format!("scale source: {}", labels.scale_source),
+        format!("unit frame: centre {} {} {} m, radius {} m", centre.x, centre.y, centre.z, to_metres.scale),
     ];
+    let g = to_metres.gaussians(g);
     let splats = ply::Splats {
         positions: g.positions.iter().map(|p| p.to_array()).collect(),
         log_scales: g.log_scales.iter().map(|s| s.to_array()).collect(),
-        rotations: g.rotations.clone(),
-        logit_opacities: g.logit_opacities.clone(),
-        sh: g.sh.clone(),
+        rotations: g.rotations,
+        logit_opacities: g.logit_opacities,
+        sh: g.sh,
     };
     let bytes = ply::write(&splats, &comments).map_err(format_error)?;
-    Ok(File { path: "scene.ply".into(), bytes, media_type: "application/ply" })
+    Ok(File { path: path.into(), bytes, media_type: "application/ply" })
+}
+
+/// What the stages handed on, for who measures them: the subject's mask over the whole photo at working resolution, and
+/// the network's Gaussians before the optimisation, in the frame of the scene.
+pub fn stage_files(
+    r: &Reconstruction,
+    to_metres: &ToMetres,
+    placement: &Placement,
+    labels: &Labels,
+) -> Result<[File; 2]> {
+    let mask = &r.subject.mask;
+    let levels = mask.data.iter().map(|v| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8).collect();
+    let image = image::GrayImage::from_raw(mask.width as u32, mask.height as u32, levels)
+        .ok_or_else(|| Error::environment("mask.png").found("a mask of another size than its own"))?;
+    let mask =
+        File { path: "mask.png".into(), bytes: marked_png(&image.into(), labels.marking)?, media_type: "image/png" };
+    Ok([mask, gaussians_ply("network.ply", &r.prior.gaussians, to_metres, placement, labels)?])
+}
+
+fn marked_png(image: &image::DynamicImage, marking: Marking) -> Result<Vec<u8>> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image.write_to(&mut bytes, image::ImageFormat::Png).map_err(|e| Error::environment("PNG").found(e.to_string()))?;
+    Ok(inband::mark_png(&bytes.into_inner(), marking))
 }
 
 /// The model for a CDB store; levels coarsest first.
@@ -197,11 +229,7 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Re
         last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
     }
     let sheet = preview::sheet(&[what, six.collect(), turned.collect(), last], marking.banner());
-    let mut bytes = std::io::Cursor::new(Vec::new());
-    sheet
-        .write_to(&mut bytes, image::ImageFormat::Png)
-        .map_err(|e| Error::environment("preview.png").found(e.to_string()))?;
-    Ok(inband::mark_png(&bytes.into_inner(), marking))
+    marked_png(&sheet.into(), marking)
 }
 
 /// Width (0) or height (1) of the photo brought down to the preview's size.

@@ -145,6 +145,10 @@ pub struct GeoArgs {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
     pub lods: u8,
 
+    /// Also publish what the stages handed on: mask.png and network.ply, the Gaussians before the optimisation.
+    #[arg(long)]
+    pub stages: bool,
+
     /// Feature code of the model in the store: five letters and digits, then the subcode.
     #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
     pub facc: String,
@@ -311,8 +315,13 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         scale_source: scale.source.label(),
     };
 
-    let scene = export::scene_ply(&to_metres.gaussians(&done.gaussians), &placement, &labels)?;
+    let scene = export::gaussians_ply("scene.ply", &done.gaussians, &to_metres, &placement, &labels)?;
     run.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
+    if args.stages {
+        for file in export::stage_files(&done, &to_metres, &placement, &labels)? {
+            run.publication.add(&file.path, &file.bytes, file.media_type, "stage")?;
+        }
+    }
     let mut store_model = None;
     if args.format.contains(&Format::Cdb) {
         let model = export::gs_model(&done.model.levels, &to_metres, &placement, &labels);

@@ -1,0 +1,76 @@
+"""Score the subject masks of `orb geo` on real photographs with hand-checked masks.
+
+    python score_masks.py ORB PHOTO_DIR MASK_DIR OUT_DIR [--sheet sheet.png]
+
+PHOTO_DIR/<name>.jpg (see real/fetch.py), MASK_DIR/<name>.png of the same size. Prints the intersection over union of every
+photo, the mean, the median and what failed (a refusal counts as 0). Writes OUT_DIR/masks.json.
+"""
+
+import argparse
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from score import iou, run_orb
+
+
+def answer(orb, photo, target):
+    """Orb's mask at its working resolution, 0..1."""
+    run_orb(orb, ["geo", "--origin", "0,0,0", "--height", 1, "--iterations", 0, "--format", "ply", "--lods", 1, "--stages",
+                  "--quiet", "--replace", "-o", target, photo])  # fmt: skip
+    return Image.open(target / "mask.png").convert("L")
+
+
+def tiles(photo, mask, truth, size=192):
+    """The photo under Orb's mask and under the true one."""
+    photo = np.asarray(Image.open(photo).convert("RGB")).astype(float) / 255
+    shown = []
+    for m in (mask, truth):
+        inside = (m > 0.5)[..., None]
+        over = np.where(inside, photo, photo * 0.3 + np.array([0.6, 0, 0.6]) * 0.7)
+        image = Image.fromarray((over * 255).astype(np.uint8))
+        image.thumbnail((size, size))
+        shown.append(image)
+    return shown
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("orb")
+    parser.add_argument("photos", type=Path)
+    parser.add_argument("masks", type=Path)
+    parser.add_argument("out", type=Path)
+    parser.add_argument("--sheet", type=Path)
+    args = parser.parse_args()
+    args.out.mkdir(parents=True, exist_ok=True)
+    os.environ.setdefault("ORB_DATA_DIR", str(args.out / "orb-data"))
+    scores, refused, shown = {}, {}, []
+    for path in sorted(args.masks.glob("*.png")):
+        photo = args.photos / f"{path.stem}.jpg"
+        truth = np.asarray(Image.open(path).convert("L")).astype(float) / 255
+        try:
+            mask = answer(args.orb, photo, args.out / path.stem).resize(truth.shape[::-1], Image.LANCZOS)
+            mask = np.asarray(mask).astype(float) / 255
+            scores[path.stem] = iou(mask, truth)
+        except RuntimeError as e:
+            refused[path.stem] = str(e).splitlines()[-1]
+            mask, scores[path.stem] = np.zeros_like(truth), 0.0
+        print(f"{path.stem:16} {scores[path.stem]:.3f} {refused.get(path.stem, '')}", flush=True)
+        shown.append((scores[path.stem], tiles(photo, mask, truth)))
+    values = list(scores.values())
+    print(f"{len(values)} photos: mean {np.mean(values):.3f}, median {np.median(values):.3f}, refused {len(refused)}")
+    (args.out / "masks.json").write_text(json.dumps({"iou": scores, "refused": refused}, indent=1))
+    if args.sheet:
+        shown.sort(key=lambda s: s[0])
+        sheet = Image.new("RGB", (8 * 196, -(-len(shown) // 4) * 196), "white")
+        for i, (_, pair) in enumerate(shown):
+            for j, tile in enumerate(pair):
+                sheet.paste(tile, ((i % 4 * 2 + j) * 196, i // 4 * 196))
+        sheet.save(args.sheet)
+
+
+if __name__ == "__main__":
+    main()
