@@ -8,6 +8,7 @@ parameter names of every checkpoint and of the ONNX files: renaming one breaks t
 """
 
 import math
+import re
 
 import torch
 import torch.nn.functional as F
@@ -108,8 +109,10 @@ def level(cin, width, blocks):
 
 
 class SceneNet(nn.Module):
-    """Photo [B, 3, 256, 256], sRGB 0..1, subject in the middle -> mask logits and inverse depth, [B, 1, 256, 256] each.
+    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each.
 
+    Photo: sRGB 0..1. Point: 1 where the user says that the subject is, falling off around it as
+    `synth.batches.point_map` draws it; all 0 where nobody says, then the subject is what stands in the middle.
     Inverse depth is right up to a scale and an offset of its own for every picture.
     """
 
@@ -117,10 +120,10 @@ class SceneNet(nn.Module):
 
     def __init__(self):
         super().__init__()
-        self.net = UNet(3, (24, 48, 96, 192, 224), cout=2, grid=16, depth=6, heads=7)
+        self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=16, depth=9, heads=7)
 
     def forward(self, x):
-        y, _ = self.net(x * 2 - 1)
+        y, _ = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
         return y[:, :1], y[:, 1:]
 
 
@@ -142,7 +145,7 @@ class SplatNet(nn.Module):
     def __init__(self, layers=2):
         super().__init__()
         self.layers = layers
-        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=8, heads=8)
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=11, heads=8)
         self.el = nn.Sequential(nn.Linear(256, 128), nn.SiLU(), nn.Linear(128, 1))
         with torch.no_grad():
             self.net.head.weight *= 0.3
@@ -199,6 +202,26 @@ def pixel_rays(height, width, fov, device):
 
 
 NETS = {"scene": SceneNet, "splat": SplatNet}
+
+
+def grown(net, state):
+    """`state` of a shallower `net` (fewer transformer blocks, fewer input channels) made to fit, function unchanged.
+
+    New blocks are `net`'s own with output projections of zero: they pass their tokens on. New input channels count for
+    nothing.
+    """
+    state = dict(state)
+    fresh = net.state_dict()
+    for name, value in fresh.items():
+        if name == "net.stem.weight" and state[name].shape != value.shape:
+            wider = torch.zeros_like(value)
+            wider[:, : state[name].shape[1]] = state[name]
+            state[name] = wider
+        if name in state or ".mid." not in name:
+            continue
+        closes = re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
+        state[name] = torch.zeros_like(value) if closes else value.clone()
+    return state
 
 
 def load_weights(net, path):

@@ -21,6 +21,7 @@ from torch.nn.parallel import DistributedDataParallel
 from losses import STEPS
 from nets import NETS, load_weights
 from pictures import save_sheet
+from restore import calibrate, generated_inputs, state_from_onnx
 from synth.batches import make_pool
 
 LOG_SECONDS = 20
@@ -42,7 +43,9 @@ def arguments():
         "--processes", type=int, default=os.cpu_count() or 4, help="for making the pool, all GPUs together"
     )
     parser.add_argument("--dir", default="checkpoints")
-    parser.add_argument("--init", default="", help="weights to start from")
+    parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
+    parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
+    parser.add_argument("--compile", action="store_true", help="compile the network first (a minute, then faster)")
     return parser.parse_args()
 
 
@@ -86,12 +89,12 @@ def out_of_time(start, seconds, world):
 
 def train(net, optimizer, average, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
-    model = net
+    model = torch.compile(net) if args.compile else net
     if world > 1:
-        model = DistributedDataParallel(net, device_ids=[rank], broadcast_buffers=False)
+        model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     take_step = STEPS[args.net]
     total = args.total or spent + args.seconds
-    start = logged = time.time()
+    start = logged = kept = time.time()
     log = {}
     while True:
         elapsed = time.time() - start
@@ -115,8 +118,28 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
             line = {"it": step, "t": round(spent + elapsed), "samples": step * args.batch * world}
             line["loss"] = round(loss.item(), 4)
             print(json.dumps(line | {k: round(v, 3) for k, v in log.items()}), flush=True)
+        if rank == 0 and time.time() - kept > args.keep_every:
+            kept = time.time()
+            save_average(average, os.path.join(args.dir, args.net))
         if stop:
             return step, spent + time.time() - start, columns
+
+
+def save_average(average, path):
+    """Write `path`_weights.pt; whoever reads it meanwhile sees the old one or the new one."""
+    torch.save(average.half(), path + "_weights.tmp")
+    os.replace(path + "_weights.tmp", path + "_weights.pt")
+
+
+def initialised(which, init, pool):
+    """The network `which` on the GPU, with the weights of the file `init` if one is given."""
+    net = NETS[which]()
+    if init.endswith(".onnx"):
+        net.load_state_dict(state_from_onnx(init, net))
+        calibrate(net.cuda(), generated_inputs(which, pool, batches=16))
+    elif init:
+        load_weights(net, init)
+    return net.cuda().to(memory_format=torch.channels_last).train()
 
 
 def main():
@@ -141,10 +164,7 @@ def main():
     first_object = 1_000_000 * (64 * stream + rank + 1)
     pool = make_pool(first_object, args.pool, max(2, args.processes // world))
 
-    net = NETS[args.net]()
-    if args.init:
-        load_weights(net, args.init)
-    net = net.cuda().to(memory_format=torch.channels_last)
+    net = initialised(args.net, "" if saved else args.init, pool)
     average = Average(net)
     optimizer = torch.optim.AdamW(net.parameters(), lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
     if saved:
@@ -159,7 +179,7 @@ def main():
     if rank == 0:
         state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict()}
         torch.save(state | {"spent": spent, "it": step}, path + ".pt")
-        torch.save(average.half(), path + "_weights.pt")
+        save_average(average, path)
         save_sheet(columns, path + ".png")
         print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
     if world > 1:
