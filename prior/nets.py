@@ -159,12 +159,11 @@ class SplatNet(nn.Module):
         y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
 
         depth = self.DIST + 1.3 * torch.tanh(y[:, :, :1] + self.depth_bias(x.device))
-        offset = 0.6 * torch.tanh(y[:, :, 1:4] * 0.5)
+        offset = self.reach(x) * torch.tanh(y[:, :, 1:4] * 0.5)
         position = pixel_rays(height, width, self.FOV, x.device) * depth + offset
         opacity = torch.sigmoid(y[:, :, 4:5] - 1)
         scale = torch.exp((y[:, :, 5:8] - 3.9).clamp(-7.5, -1.2))
-        upright = torch.tensor([1.0, 0, 0, 0], device=x.device).reshape(1, 1, 4, 1, 1)
-        rotation = F.normalize(y[:, :, 8:12] + upright, dim=2)
+        rotation = F.normalize(torch.cat([y[:, :, 8:9] + 1, y[:, :, 9:12]], 2), dim=2)
         # The photo's own colour is the starting point: the network answers only with the change.
         colour = torch.sigmoid(y[:, :, 12:15] + torch.logit(x[:, None, :3].clamp(0.03, 0.97)))
 
@@ -180,6 +179,16 @@ class SplatNet(nn.Module):
             "depth": depth[:, 0, 0],
             "elevation": self.el(mean_token.float())[:, 0],
         }
+
+    def reach(self, x):
+        """How far Gaussians may lie from their pixel's ray, [B, layers, 1, H, W].
+
+        On the subject the front layer keeps to what its pixel shows, so that the photo's own side stays sharp. The
+        others are free to make up what the photo does not show.
+        """
+        subject = x[:, None, 3:]
+        front = 0.6 + (0.03 - 0.6) * subject
+        return torch.cat([front] + [torch.full_like(front, 0.6)] * (self.layers - 1), 1)
 
     def depth_bias(self, device):
         """[1, layers, 1, 1, 1]: the layers behind the first one start further away."""

@@ -75,8 +75,9 @@ def learning_rate(base, step, done):
 
 
 def smooth(log, figures):
+    """Running means of figures, kept on the GPU: reading them would make the host wait for it at every step."""
     for name, value in figures.items():
-        log[name] = 0.98 * log.get(name, value) + 0.02 * value
+        log[name] = value.detach() if name not in log else 0.98 * log[name] + 0.02 * value.detach()
 
 
 def out_of_time(start, seconds, world):
@@ -104,8 +105,9 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
         optimizer.zero_grad(set_to_none=True)
         loss.backward()
         norm = torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
-        if torch.isfinite(norm):
-            optimizer.step()
+        # The fused optimizer leaves the weights as they are where this is 1; no need to look.
+        optimizer.found_inf = (~torch.isfinite(norm)).float()
+        optimizer.step()
         step += 1
         if step % AVERAGE_EVERY == 0:
             average.update(net, step)
@@ -117,18 +119,20 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
             logged = time.time()
             line = {"it": step, "t": round(spent + elapsed), "samples": step * args.batch * world}
             line["loss"] = round(loss.item(), 4)
-            print(json.dumps(line | {k: round(v, 3) for k, v in log.items()}), flush=True)
+            print(json.dumps(line | {k: round(v.item(), 3) for k, v in log.items()}), flush=True)
         if rank == 0 and time.time() - kept > args.keep_every:
             kept = time.time()
-            save_average(average, os.path.join(args.dir, args.net))
+            save(net, average, optimizer, spent + elapsed, step, os.path.join(args.dir, args.net))
         if stop:
             return step, spent + time.time() - start, columns
 
 
-def save_average(average, path):
-    """Write `path`_weights.pt; whoever reads it meanwhile sees the old one or the new one."""
-    torch.save(average.half(), path + "_weights.tmp")
-    os.replace(path + "_weights.tmp", path + "_weights.pt")
+def save(net, average, optimizer, spent, step, path):
+    """Write `path`.pt and `path`_weights.pt; whoever reads them meanwhile sees the old ones or the new ones."""
+    state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict(), "spent": spent, "it": step}
+    for name, content in ((path + ".pt", state), (path + "_weights.pt", average.half())):
+        torch.save(content, name + ".new")
+        os.replace(name + ".new", name)
 
 
 def initialised(which, init, pool):
@@ -177,9 +181,7 @@ def main():
 
     step, spent, columns = train(net, optimizer, average, pool, args, spent, step, rank, world)
     if rank == 0:
-        state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict()}
-        torch.save(state | {"spent": spent, "it": step}, path + ".pt")
-        save_average(average, path)
+        save(net, average, optimizer, spent, step, path)
         save_sheet(columns, path + ".png")
         print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
     if world > 1:

@@ -26,7 +26,7 @@ from .layout import (
     SHIFT,
     SUBJECT,
 )
-from .lens import degrade
+from .lens import exposed, stored
 from .objects import make_object
 from .raycast import cast
 
@@ -117,7 +117,7 @@ def scene_batch(pool, n, size=256):
     surroundings = environments(n, ground, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
     rgb, alpha, depth = cast(prims, counts.int(), each, cameras, surroundings, size, 2)
-    photo, alpha, depth = mirrored_margins(degrade(rgb), alpha, depth)
+    photo, alpha, depth = mirrored_margins(stored(exposed(rgb)), alpha, depth)
     return SceneBatch(photo, points(alpha, pointed), alpha, depth)
 
 
@@ -204,7 +204,7 @@ def points(alpha, wanted):
     n, size = alpha.shape[0], alpha.shape[-1]
     solid = (alpha > 0.6).float().flatten(1)
     given = wanted & (solid.sum(1) > 0)
-    index = torch.multinomial(solid + 1e-12, 1)[:, 0]
+    index = (torch.rand_like(solid) * solid).argmax(1)
     return point_map(index % size + 0.5, index // size + 0.5, size) * given[:, None, None, None]
 
 
@@ -257,7 +257,8 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     alpha = alpha[:, None]
     mask = damaged(alpha)
     backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
-    photo = degrade(composed(rgb, alpha, backdrop.clamp(0, 1)))
+    # Its colours stay: the answer is to look like the photo.
+    photo = stored(composed(rgb, alpha, backdrop.clamp(0, 1)))
     rgba = torch.cat([photo * mask + GREY * (1 - mask), mask], 1)
 
     canonical = look_at(orbit(azimuth, elevation, torch.full_like(azimuth, distance)))

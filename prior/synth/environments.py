@@ -2,6 +2,7 @@
 
 import torch
 
+from .cameras import fixed
 from .layout import EARTH, ENVIRONMENT_FLOATS, GRASS, NOISE_ROOM, PLANKED, TREES, WALL
 
 # Open sky, landscape, wall, room of noise, clutter, trees, town.
@@ -25,7 +26,8 @@ def environments(n, ground, device="cuda"):
         return torch.randn(n, 3, device=device)
 
     def drawn(chances):
-        return torch.multinomial(torch.tensor(chances, device=device), n, True)[:, None]
+        bounds = fixed(tuple(sum(chances[:i]) for i in range(1, len(chances))), device)
+        return torch.bucketize(uniform(0, 1), bounds)
 
     weather = drawn(WEATHER_CHANCES)
     dull, low, night, studio = (weather == kind for kind in (OVERCAST, LOW_SUN, NIGHT, STUDIO))
@@ -33,7 +35,7 @@ def environments(n, ground, device="cuda"):
     elevation = torch.where(low, uniform(0.06, 0.35), uniform(0.25, 1.45))
     sun = torch.cat([elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin()], 1)
     sunlight = uniform(0.4, 1.5) * (1 + 0.2 * normal()).clamp(0.3, 1.6)
-    warm = torch.tensor([1.25, 0.9, 0.6], device=device)
+    warm = fixed((1.25, 0.9, 0.6), device)
     sunlight = torch.where(low, sunlight * warm, sunlight)
     sunlight = torch.where(dull, sunlight * uniform(0, 0.25), sunlight)
     sunlight = torch.where(night, sunlight * uniform(0, 0.5), sunlight)
@@ -49,13 +51,13 @@ def environments(n, ground, device="cuda"):
     horizon = torch.where(night, horizon * uniform(0.05, 0.6), horizon)
 
     ground_a = (uniform(0.05, 0.6) + 0.1 * normal()).clamp(0.02, 0.95)
-    green = torch.tensor([0.55, 1.1, 0.35], device=device)
+    green = fixed((0.55, 1.1, 0.35), device)
     ground_kind = drawn(GROUND_CHANCES)
     ground_kind = torch.where(uniform(0, 1) < 0.03, torch.full_like(ground_kind, EARTH), ground_kind)
     grassy = (ground_kind == GRASS) & (uniform(0, 1) < 0.85)
     ground_a = torch.where(grassy, uniform(0.08, 0.5) * green * (1 + 0.15 * normal()), ground_a)
     wooden = (ground_kind == PLANKED) & (uniform(0, 1) < 0.7)
-    wood = torch.tensor([1.3, 0.8, 0.45], device=device)
+    wood = fixed((1.3, 0.8, 0.45), device)
     ground_a = torch.where(wooden, uniform(0.08, 0.5) * wood, ground_a).clamp(0.02, 0.95)
     ground_b = (ground_a * uniform(0.4, 1.7) + 0.05 * normal()).clamp(0.02, 0.95)
 
@@ -64,7 +66,7 @@ def environments(n, ground, device="cuda"):
     hills = (uniform(0.05, 0.5) + 0.1 * normal()).clamp(0.02, 0.9)
     leafy = (backdrop == TREES) & (uniform(0, 1) < 0.85)
     hills = torch.where(leafy, uniform(0.1, 0.55) * green * (1 + 0.25 * normal()).clamp(0.3, 2), hills)
-    kinds = torch.tensor(WALL_KINDS, device=device)
+    kinds = fixed(tuple(WALL_KINDS), device)
     wall_kind = kinds[torch.randint(len(kinds), (n, 1), device=device)]
 
     # A studio: one even colour all around, as of product photos and cut-outs.

@@ -5,11 +5,15 @@ import math
 import torch
 import torch.nn.functional as F
 
+from .cameras import fixed
+
+TO_YCC = ((0.299, 0.587, 0.114), (-0.169, -0.331, 0.5), (0.5, -0.419, -0.081))
+FROM_YCC = tuple(map(tuple, torch.linalg.inv(torch.tensor(TO_YCC)).tolist()))
 KERNEL = 9  # pixels, of the blurs
 
 
-def degrade(photo):
-    """A photo [n, 3, H, W] in sRGB 0..1 as a phone might have taken and stored it; every picture its own way."""
+def exposed(photo):
+    """A photo [n, 3, H, W] in sRGB 0..1 with other exposure, contrast, colours, haze; every picture its own way."""
     n = len(photo)
     device = photo.device
 
@@ -25,7 +29,13 @@ def degrade(photo):
     photo = grey + (photo - grey) * torch.exp(normal(1, 0.18))
     photo = torch.where(chance(0.02), grey.expand_as(photo), photo)
     photo = photo + torch.where(chance(0.15), torch.rand(n, 1, 1, 1, device=device) * 0.15, 0.0) * (1 - photo)
-    photo = torch.where(chance(0.3), photo * vignette(n, photo.shape[-1], device), photo)
+    return torch.where(chance(0.3), photo * vignette(n, photo.shape[-1], device), photo)
+
+
+def stored(photo):
+    """A photo [n, 3, H, W] blurred, sharpened, noisy and compressed; every picture its own way."""
+    n = len(photo)
+    device = photo.device
     soft = blurred(photo)
     choice = torch.rand(n, 1, 1, 1, device=device)
     near = F.avg_pool2d(F.pad(photo, (1, 1, 1, 1), mode="replicate"), 3, 1)
@@ -33,7 +43,7 @@ def degrade(photo):
     photo = torch.where(choice < 0.3, soft, torch.where(choice < 0.45, near, torch.where(choice > 0.75, sharp, photo)))
     noise = torch.randn_like(photo)
     photo = (photo + noise * (0.05 * torch.rand(n, 1, 1, 1, device=device) ** 2)).clamp(0, 1)
-    return torch.where(chance(0.3), compressed(photo), photo).clamp(0, 1)
+    return torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.3, compressed(photo), photo).clamp(0, 1)
 
 
 def vignette(n, size, device):
@@ -66,14 +76,14 @@ def compressed(photo):
     device = photo.device
     k = torch.arange(8, device=device).float()
     basis = torch.cos((2 * k[None] + 1) * k[:, None] * math.pi / 16) * 0.5
-    basis[0] *= math.sqrt(0.5)
-    to_ycc = torch.tensor([[0.299, 0.587, 0.114], [-0.169, -0.331, 0.5], [0.5, -0.419, -0.081]], device=device)
+    basis = torch.cat([basis[:1] * math.sqrt(0.5), basis[1:]])
+    to_ycc = fixed(TO_YCC, device)
     planes = torch.einsum("ij,njhw->nihw", to_ycc, photo)
     blocks = planes.reshape(n, 3, height // 8, 8, width // 8, 8)
     waves = torch.einsum("ki,ncaibj,lj->ncakbl", basis, blocks, basis)
     step = (1 + k[:, None] + k[None, :]) * torch.exp(torch.rand(n, 1, 1, 1, device=device) * 2.2 - 4.9)
     step = step[:, :, :, None, :].expand(n, 1, 8, 1, 8)[:, :, None]
-    step = step * torch.tensor([1.0, 2.0, 2.0], device=device).reshape(1, 3, 1, 1, 1, 1)
+    step = step * fixed((1.0, 2.0, 2.0), device).reshape(1, 3, 1, 1, 1, 1)
     rounded = torch.round(waves / step) * step
     blocks = torch.einsum("ki,ncakbl,lj->ncaibj", basis, rounded, basis)
-    return torch.einsum("ij,njhw->nihw", torch.linalg.inv(to_ycc), blocks.reshape(n, 3, height, width)).clamp(0, 1)
+    return torch.einsum("ij,njhw->nihw", fixed(FROM_YCC, device), blocks.reshape(n, 3, height, width)).clamp(0, 1)
