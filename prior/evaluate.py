@@ -1,16 +1,20 @@
 """Score SceneNet and SplatNet on photographed objects with known truth.
 
-    python evaluate.py DATA_DIR SCENE_WEIGHTS.pt SPLAT_WEIGHTS.pt [--sheet sheet.png]
+    python evaluate.py DATA_DIR SCENE_WEIGHTS SPLAT_WEIGHTS [--sheet sheet.png]
 
-DATA_DIR/<name>/cameras.json lists `views`: those of group "photo" (the mask and the photos, each with its `file` or
+Weights: .pt of a training, or .onnx. DATA_DIR/<name>/cameras.json lists `views`: those of group "photo" (the mask and the photos, each with its `file` or
 else <view name>.jpg, the mask .png) and those of group "gt" (RGBA pictures from other sides). Cameras are OpenCV,
 world -> camera, metres, Z up; the object stands on z = 0 and has the bounding box `size_m`.
 `../samples/truth` holds such folders without other sides: there only masks and elevations are scored.
 """
 
 import argparse
+import ctypes
 import json
 import math
+import subprocess
+import tempfile
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,11 +24,13 @@ from PIL import Image
 
 from nets import SceneNet, SplatNet, load_weights
 from pictures import save_sheet
+from restore import state_from_onnx
 from synth.cameras import inverses, look_at, orbit
 
 PHOTO = 512  # pixels; photos are read at this size
 FILL = 0.88  # of the crop, by the longer side of the subject's bounding box
-DEVICE = "cuda"
+DEVICE = "cuda" if torch.cuda.is_available() else "cpu"
+HERE = Path(__file__).parent
 
 
 def picture(path, mode, size=None):
@@ -47,9 +53,18 @@ def true_mask(path):
 
 @torch.no_grad()
 def predicted_mask(net, photo):
-    """SceneNet's mask of photo [3, S, S], as [S, S]."""
-    logits, _ = net(F.interpolate(photo[None], size=SceneNet.SIZE, mode="area"))
-    return F.interpolate(torch.sigmoid(logits), size=PHOTO, mode="bilinear")[0, 0]
+    """SceneNet's mask of photo [3, S, S], as [S, S], the larger of what it finds with and without a mirrored margin.
+
+    The program does the same and then sharpens the edge by colour, which is left out here.
+    """
+    wide = F.affine_grid(torch.tensor([[[1.35, 0, 0], [0, 1.35, 0]]], device=DEVICE), (1, 3, PHOTO, PHOTO), align_corners=False)
+    margin = F.grid_sample(photo[None], wide, mode="bilinear", padding_mode="reflection", align_corners=False)
+    small = F.interpolate(torch.cat([photo[None], margin]), size=SceneNet.SIZE, mode="area")
+    logits, _ = net(F.pad(small, (0, 0, 0, 0, 0, 1)))
+    masks = F.interpolate(torch.sigmoid(logits), size=PHOTO, mode="bilinear")
+    back = F.affine_grid(torch.tensor([[[1 / 1.35, 0, 0], [0, 1 / 1.35, 0]]], device=DEVICE), (1, 1, PHOTO, PHOTO), align_corners=False)
+    inner = F.grid_sample(masks[1:], back, mode="bilinear", align_corners=False)
+    return torch.maximum(masks[0, 0], inner[0, 0])
 
 
 def crop(photo, mask):
@@ -102,27 +117,44 @@ def to_world(splats, azimuth, size):
 @torch.no_grad()
 def rendered(splats, azimuth, size, views):
     """The object from `views` on white, [V, 3, H, W], and its coverage [V, H, W]."""
-    from gsplat import rasterization
-
     position, covariance = to_world(splats, azimuth, size)
     matrices = torch.tensor([v["w2c_opencv"] for v in views], device=DEVICE, dtype=torch.float32)
-    intrinsics = [[[v["fx"], 0, v["cx"]], [0, v["fy"], v["cy"]], [0, 0, 1]] for v in views]
-    colour, alpha, _ = rasterization(
-        position,
-        None,
-        None,
-        splats["opacity"][0],
-        splats["rgb"][0],
-        matrices,
-        torch.tensor(intrinsics, device=DEVICE, dtype=torch.float32),
-        views[0]["width"],
-        views[0]["height"],
-        packed=False,
-        near_plane=0.05,
-        covars=covariance,
-    )
-    on_white = colour + 1 - alpha
-    return on_white.permute(0, 3, 1, 2).clamp(0, 1), alpha[..., 0]
+    intrinsics = torch.tensor([[v["fx"], v["fy"], v["cx"], v["cy"]] for v in views], device=DEVICE)
+    height, width = views[0]["height"], views[0]["width"]
+    draw = drawn_on_gpu if DEVICE == "cuda" else drawn_on_cpu
+    gaussians = (position, covariance, splats["opacity"][0], splats["rgb"][0])
+    colour, alpha = draw(gaussians, matrices, intrinsics, height, width)
+    on_white = colour + 1 - alpha[..., None]
+    return on_white.permute(0, 3, 1, 2).clamp(0, 1), alpha
+
+
+def drawn_on_gpu(gaussians, matrices, intrinsics, height, width):
+    from gsplat import rasterization
+
+    position, covariance, opacity, colour = gaussians
+    kays = torch.zeros(len(matrices), 3, 3, device=DEVICE)
+    kays[:, 0, 0], kays[:, 1, 1], kays[:, 0, 2], kays[:, 1, 2] = intrinsics.unbind(1)
+    kays[:, 2, 2] = 1
+    options = {"packed": False, "near_plane": 0.05, "covars": covariance}
+    colour, alpha, _ = rasterization(position, None, None, opacity, colour, matrices, kays, width, height, **options)
+    return colour, alpha[..., 0]
+
+
+@cache
+def cpu_library():
+    library = Path(tempfile.mkdtemp()) / "splatting.so"
+    subprocess.run(["g++", "-O3", "-fopenmp", "-shared", "-fPIC", "-o", library, HERE / "splatting.cpp"], check=True)
+    return ctypes.CDLL(str(library))
+
+
+def drawn_on_cpu(gaussians, matrices, intrinsics, height, width):
+    inputs = [t.float().contiguous() for t in (*gaussians, matrices, intrinsics)]
+    colour = torch.zeros(len(matrices), height, width, 3)
+    alpha = torch.zeros(len(matrices), height, width)
+    pointers = [ctypes.c_void_p(t.data_ptr()) for t in (*inputs, colour, alpha)]
+    sizes = (len(gaussians[0]), len(matrices), height, width)
+    cpu_library().draw(*pointers, *map(ctypes.c_int, sizes))
+    return colour, alpha
 
 
 def view_scores(answer, alpha, truth, truth_alpha, views):
@@ -182,6 +214,15 @@ def score_object(folder, scene, splat):
             yield view["name"], source, scores, columns
 
 
+def load(net, path):
+    """The network with the weights of a .pt or an .onnx file, this version's or an older one's."""
+    if path.endswith(".onnx"):
+        net.load_state_dict(state_from_onnx(path, net))
+    else:
+        load_weights(net, path)
+    return net.to(DEVICE).eval()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data")
@@ -189,8 +230,8 @@ def main():
     parser.add_argument("splat")
     parser.add_argument("--sheet", help="photo crops, then truth and answer side by side")
     args = parser.parse_args()
-    scene = load_weights(SceneNet(), args.scene).to(DEVICE).eval()
-    splat = load_weights(SplatNet(), args.splat).to(DEVICE).eval()
+    scene = load(SceneNet(), args.scene)
+    splat = load(SplatNet(), args.splat)
     totals = {}
     sheet = []
     for path in sorted(Path(args.data).glob("*/cameras.json")):

@@ -22,7 +22,7 @@ SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation
 
 
 class Scene(torch.nn.Module):
-    """image [1, 3, 256, 256] -> mask 0..1 and inverse depth, [1, 1, 256, 256] each."""
+    """image [1, 4, 256, 256], photo and point -> mask 0..1 and inverse depth, [1, 1, 256, 256] each."""
 
     def __init__(self, net):
         super().__init__()
@@ -88,7 +88,7 @@ def main():
     args = parser.parse_args()
     os.makedirs(args.out_dir, exist_ok=True)
     scene = Scene(load_weights(SceneNet(), args.scene))
-    image = torch.rand(1, 3, SceneNet.SIZE, SceneNet.SIZE)
+    image = torch.rand(1, 4, SceneNet.SIZE, SceneNet.SIZE)
     export(scene, image, os.path.join(args.out_dir, "scene.onnx"), "image", SCENE_OUTPUTS)
     splat = Splat(load_weights(SplatNet(), args.splat))
     rgba = torch.rand(1, 4, SplatNet.SIZE, SplatNet.SIZE)

@@ -8,6 +8,7 @@ Each row: a photo, its mask, its inverse depth; then a subject as SplatNet sees 
 import argparse
 
 import torch
+import torch.nn.functional as F
 
 from nets import SplatNet
 from pictures import save_sheet
@@ -18,16 +19,21 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--rows", type=int, default=8)
+    parser.add_argument("--objects", type=int, default=1000)
+    parser.add_argument("--size", type=int, default=128, help="of a photo, pixels")
     parser.add_argument("--out", default="looksheet.png")
     args = parser.parse_args()
     torch.manual_seed(args.seed)
-    pool = make_pool(args.seed, 1000, processes=4)
-    scenes = scene_batch(pool, args.rows, size=128)
+    device = "cuda" if torch.cuda.is_available() else "cpu"
+    pool = make_pool(args.seed, args.objects, processes=4, device=device)
+    scenes = scene_batch(pool, args.rows, size=args.size)
     inverse = torch.where(scenes.depth > 0, 1 / scenes.depth.clamp(min=0.1), torch.zeros_like(scenes.depth))
     inverse = inverse / inverse.amax((1, 2), keepdim=True).clamp(min=1e-6)
     subjects = splat_batch(pool, args.rows, SplatNet.FOV, SplatNet.DIST)
     on_white = subjects.colour + (1 - subjects.alpha)
-    columns = [scenes.photo, scenes.alpha[:, None], inverse[:, None], subjects.rgba[:, :3], *on_white.unbind(1)]
+    columns = [scenes.photo, torch.maximum(scenes.alpha[:, None] * 0.7, scenes.point), inverse[:, None]]
+    columns += [subjects.rgba[:, :3], *on_white.unbind(1)]
+    columns = [F.interpolate(column, size=args.size, mode="area") for column in columns]
     save_sheet(columns, args.out, args.rows)
     print(args.out)
 

@@ -7,6 +7,7 @@ import torch.nn.functional as F
 
 from nets import SplatNet
 from synth.batches import scene_batch, splat_batch
+from synth.cameras import fixed
 
 
 def gradients(x):
@@ -20,10 +21,10 @@ def gradients(x):
 
 
 def scene_step(net, pool, n):
-    """Returns loss, figures {name: float} and picture columns, each [n, 1 or 3, S, S] in 0..1."""
+    """Returns loss, figures {name: number} and picture columns, each [n, 1 or 3, S, S] in 0..1."""
     batch = scene_batch(pool, n)
     with torch.autocast("cuda", torch.bfloat16):
-        logits, depth = net(batch.photo)
+        logits, depth = net(torch.cat([batch.photo, batch.point], 1))
     logits = logits[:, 0].float()
     depth = depth[:, 0].float()
     truth = normalised_inverse_depth(batch.depth)
@@ -31,7 +32,7 @@ def scene_step(net, pool, n):
     mask_loss = mask_losses(logits, batch.alpha)
     depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
     loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss
-    figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss.item()}
+    figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss}
     columns = [
         batch.photo,
         batch.alpha[:, None],
@@ -43,13 +44,19 @@ def scene_step(net, pool, n):
 
 
 def mask_losses(logits, alpha):
-    """Cross-entropy and Dice, [n, S, S]; pictures whose subject is all but out of view do not count."""
+    """Cross-entropy and Dice, [n, S, S]; pictures whose subject is all but out of view do not count.
+
+    Near the subject's edge, and on its thin parts, which are all edge, cross-entropy weighs more.
+    """
     seen = (alpha.flatten(1).mean(1) > 0.01)[:, None, None].float()
     mask = torch.sigmoid(logits)
     overlap = (mask * alpha * seen).sum((1, 2))
     dice = 1 - (2 * overlap + 1) / (((mask + alpha) * seen).sum((1, 2)) + 1)
-    entropy = F.binary_cross_entropy_with_logits(logits, alpha, weight=seen.expand_as(logits))
-    return entropy * 2 + dice.mean()
+    around = alpha[:, None]
+    edge = (F.max_pool2d(around, 7, 1, 3) + F.max_pool2d(-around, 7, 1, 3))[:, 0]
+    weight = seen * (1 + 2 * edge)
+    entropy = F.binary_cross_entropy_with_logits(logits, alpha, weight=weight)
+    return entropy * 1.6 + dice.mean()
 
 
 def centred(x):
@@ -78,14 +85,14 @@ def mask_iou(logits, alpha):
     answer = logits > 0
     truth = alpha > 0.5
     union = (answer | truth).sum((1, 2)) + 1
-    return ((answer & truth).sum((1, 2)) / union).mean().item()
+    return ((answer & truth).sum((1, 2)) / union).mean()
 
 
 # ---------------------------------------------------------------- SplatNet
 
 
 def splat_step(net, pool, n):
-    """Returns loss, figures {name: float} and picture columns, each [n, 3, S, S] in 0..1."""
+    """Returns loss, figures {name: number} and picture columns, each [n, 3, S, S] in 0..1."""
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
         splats = net(batch.rgba)
@@ -96,17 +103,19 @@ def splat_step(net, pool, n):
 
     weight = (~batch.empty).float()[:, None, None, None, None]
     error = answer - truth
-    colour_loss = (weight * (error.abs() * 0.5 + error * error * 2)).mean()
-    alpha_loss = (weight * (alpha - batch.alpha) ** 2).mean()
+    colour_loss = (weight * (error.abs() * 0.8 + error * error)).mean()
+    uncovered = weight * (alpha - batch.alpha)
+    alpha_loss = (uncovered**2).mean() + 0.3 * uncovered.abs().mean()
     edge_loss = sum(gradients(pooled(error, step)) for step in (1, 2, 4))
     depth_loss = front_depth_loss(splats["depth"], batch)
-    elevation_loss = ((splats["elevation"] - batch.elevation) ** 2).mean()
+    off = splats["elevation"] - batch.elevation
+    elevation_loss = F.smooth_l1_loss(off, torch.zeros_like(off), beta=0.05)
     size_loss = F.relu(splats["scale"] - 0.06).mean()
-    loss = colour_loss + alpha_loss + 0.5 * edge_loss / 3 + 0.25 * depth_loss + 0.1 * elevation_loss + 2 * size_loss
+    loss = colour_loss + alpha_loss + 0.7 * edge_loss / 3 + 0.25 * depth_loss + 0.3 * elevation_loss + 2 * size_loss
     figures = {
         **view_scores(answer, truth, alpha, batch.alpha, weight[:, 0]),
-        "depth": depth_loss.item(),
-        "el_deg": math.degrees(elevation_loss.sqrt().item()),
+        "depth": depth_loss,
+        "el_deg": off.abs().mean() * (180 / math.pi),
     }
     columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
@@ -118,7 +127,7 @@ def render(splats, views, size):
 
     n, count = views.shape[:2]
     focal = size / 2 / math.tan(SplatNet.FOV / 2)
-    intrinsics = torch.tensor([[focal, 0, size / 2], [0, focal, size / 2], [0, 0, 1]], device=views.device)
+    intrinsics = fixed(((focal, 0, size / 2), (0, focal, size / 2), (0, 0, 1)), views.device)
     colour, alpha, _ = rasterization(
         splats["pos"],
         splats["quat"],
@@ -151,13 +160,13 @@ def view_scores(answer, truth, alpha, truth_alpha, weight):
     """PSNR (dB) of the photo's own view, a near one and a far one, and the far one's silhouette IoU."""
 
     def psnr(view):
-        return -10 * torch.log10(((answer - truth)[:, view] ** 2 * weight).mean()).item()
+        return -10 * torch.log10(((answer - truth)[:, view] ** 2 * weight).mean())
 
     far = answer.shape[1] - 1
     inside = (alpha > 0.5)[:, far]
     truly = (truth_alpha > 0.5)[:, far]
     iou = (inside & truly).float().sum() / ((inside | truly).float().sum() + 1)
-    return {"psnr_in": psnr(0), "psnr_near": psnr(1), "psnr_far": psnr(far), "iou_far": iou.item()}
+    return {"psnr_in": psnr(0), "psnr_near": psnr(1), "psnr_far": psnr(far), "iou_far": iou}
 
 
 STEPS = {"scene": scene_step, "splat": splat_step}

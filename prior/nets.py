@@ -8,6 +8,7 @@ parameter names of every checkpoint and of the ONNX files: renaming one breaks t
 """
 
 import math
+import re
 
 import torch
 import torch.nn.functional as F
@@ -108,8 +109,10 @@ def level(cin, width, blocks):
 
 
 class SceneNet(nn.Module):
-    """Photo [B, 3, 256, 256], sRGB 0..1, subject in the middle -> mask logits and inverse depth, [B, 1, 256, 256] each.
+    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each.
 
+    Photo: sRGB 0..1. Point: 1 where the user says that the subject is, falling off around it as
+    `synth.batches.point_map` draws it; all 0 where nobody says, then the subject is what stands in the middle.
     Inverse depth is right up to a scale and an offset of its own for every picture.
     """
 
@@ -117,10 +120,10 @@ class SceneNet(nn.Module):
 
     def __init__(self):
         super().__init__()
-        self.net = UNet(3, (24, 48, 96, 192, 224), cout=2, grid=16, depth=6, heads=7)
+        self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=16, depth=9, heads=7)
 
     def forward(self, x):
-        y, _ = self.net(x * 2 - 1)
+        y, _ = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
         return y[:, :1], y[:, 1:]
 
 
@@ -142,7 +145,7 @@ class SplatNet(nn.Module):
     def __init__(self, layers=2):
         super().__init__()
         self.layers = layers
-        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=8, heads=8)
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=11, heads=8)
         self.el = nn.Sequential(nn.Linear(256, 128), nn.SiLU(), nn.Linear(128, 1))
         with torch.no_grad():
             self.net.head.weight *= 0.3
@@ -156,12 +159,11 @@ class SplatNet(nn.Module):
         y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
 
         depth = self.DIST + 1.3 * torch.tanh(y[:, :, :1] + self.depth_bias(x.device))
-        offset = 0.6 * torch.tanh(y[:, :, 1:4] * 0.5)
+        offset = self.reach(x) * torch.tanh(y[:, :, 1:4] * 0.5)
         position = pixel_rays(height, width, self.FOV, x.device) * depth + offset
         opacity = torch.sigmoid(y[:, :, 4:5] - 1)
         scale = torch.exp((y[:, :, 5:8] - 3.9).clamp(-7.5, -1.2))
-        upright = torch.tensor([1.0, 0, 0, 0], device=x.device).reshape(1, 1, 4, 1, 1)
-        rotation = F.normalize(y[:, :, 8:12] + upright, dim=2)
+        rotation = F.normalize(torch.cat([y[:, :, 8:9] + 1, y[:, :, 9:12]], 2), dim=2)
         # The photo's own colour is the starting point: the network answers only with the change.
         colour = torch.sigmoid(y[:, :, 12:15] + torch.logit(x[:, None, :3].clamp(0.03, 0.97)))
 
@@ -177,6 +179,16 @@ class SplatNet(nn.Module):
             "depth": depth[:, 0, 0],
             "elevation": self.el(mean_token.float())[:, 0],
         }
+
+    def reach(self, x):
+        """How far Gaussians may lie from their pixel's ray, [B, layers, 1, H, W].
+
+        On the subject the front layer keeps to what its pixel shows, so that the photo's own side stays sharp. The
+        others are free to make up what the photo does not show.
+        """
+        subject = x[:, None, 3:]
+        front = 0.6 + (0.03 - 0.6) * subject
+        return torch.cat([front] + [torch.full_like(front, 0.6)] * (self.layers - 1), 1)
 
     def depth_bias(self, device):
         """[1, layers, 1, 1, 1]: the layers behind the first one start further away."""
@@ -199,6 +211,26 @@ def pixel_rays(height, width, fov, device):
 
 
 NETS = {"scene": SceneNet, "splat": SplatNet}
+
+
+def grown(net, state):
+    """`state` of a shallower `net` (fewer transformer blocks, fewer input channels) made to fit, function unchanged.
+
+    New blocks are `net`'s own with output projections of zero: they pass their tokens on. New input channels count for
+    nothing.
+    """
+    state = dict(state)
+    fresh = net.state_dict()
+    for name, value in fresh.items():
+        if name == "net.stem.weight" and state[name].shape != value.shape:
+            wider = torch.zeros_like(value)
+            wider[:, : state[name].shape[1]] = state[name]
+            state[name] = wider
+        if name in state or ".mid." not in name:
+            continue
+        closes = re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
+        state[name] = torch.zeros_like(value) if closes else value.clone()
+    return state
 
 
 def load_weights(net, path):

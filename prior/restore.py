@@ -4,7 +4,7 @@
 
 The export folds every batch norm into the convolution before it, so the restored norms pass their input through and
 only add the folded bias: the same function, but one that training could not go on from, because norms in training
-use each batch's own statistics. `--calibrate` (needs a GPU) measures those statistics on generated views and puts them
+use each batch's own statistics. `--calibrate` measures those statistics on generated views and puts them
 back, with gains that undo them: the function stays, and training goes on from it. Without it, use the weights to
 evaluate and export only. The result is compared with ONNX Runtime, where that is installed.
 """
@@ -14,11 +14,12 @@ import argparse
 import numpy as np
 import onnx
 import torch
+import torch.nn.functional as F
 from onnx import numpy_helper
 from torch import nn
 
 from export import Scene, Splat
-from nets import NETS, SplatNet
+from nets import NETS, SplatNet, grown
 
 LAYERS = ("Conv", "MatMul", "Gemm", "LayerNormalization")
 # Which batch norm was folded into a block's convolution a or b.
@@ -69,7 +70,10 @@ def weights_by_module(graph):
 
 
 def state_from_onnx(path, net):
-    """A state dict for `net` from the ONNX file; batch norms pass through and add the folded bias."""
+    """A state dict for `net` from the ONNX file; batch norms pass through and add the folded bias.
+
+    The file may hold a shallower version of `net` (see `nets.grown`).
+    """
     graph = onnx.load(path).graph
     state = {"net.pos": stored_values(graph)["n.net.pos"]}
     modules = dict(net.named_modules())
@@ -81,7 +85,7 @@ def state_from_onnx(path, net):
             state |= passing_norm(norm, weights[1], modules[norm].eps)
         else:
             state[name + ".bias"] = weights[1]
-    return {name: torch.from_numpy(np.array(value)) for name, value in state.items()}
+    return grown(net, {name: torch.from_numpy(np.array(value)) for name, value in state.items()})
 
 
 def passing_norm(name, bias, eps):
@@ -126,15 +130,14 @@ def calibrate(net, inputs):
         norm.bias.copy_(norm.bias + mean)
 
 
-def generated_inputs(which, batches, batch=32, seed=0):
-    """Inputs of network `which` from the generator."""
-    from synth.batches import make_pool, scene_batch, splat_batch
+def generated_inputs(which, pool, batches, batch=32):
+    """Inputs of network `which` from the objects of `pool`."""
+    from synth.batches import scene_batch, splat_batch
 
-    torch.manual_seed(seed)
-    pool = make_pool(seed, 2000, processes=4)
     for _ in range(batches):
         if which == "scene":
-            yield scene_batch(pool, batch).photo
+            made = scene_batch(pool, batch)
+            yield torch.cat([made.photo, made.point], 1)
         else:
             yield splat_batch(pool, batch, SplatNet.FOV, SplatNet.DIST, views=2).rgba
 
@@ -149,9 +152,11 @@ def compare(which, net, path, seed=0):
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
     (source,) = session.get_inputs()
     example = torch.rand(source.shape, generator=torch.Generator().manual_seed(seed))
+    # Version 0.1 took no point.
+    ours_too = F.pad(example, (0, 0, 0, 0, 0, 1)) if which == "scene" and source.shape[1] == 3 else example
     wrapped = WRAPPERS[which](net.cpu().float()).eval()
     with torch.no_grad():
-        ours = wrapped(example)
+        ours = wrapped(ours_too)
     theirs = session.run(None, {source.name: example.numpy()})
     for output, a, b in zip(session.get_outputs(), ours, theirs, strict=True):
         difference = np.abs(a.numpy() - b).max()
@@ -168,7 +173,11 @@ def main():
     net = NETS[args.net]()
     net.load_state_dict(state_from_onnx(args.onnx, net))
     if args.calibrate:
-        calibrate(net.cuda(), generated_inputs(args.net, batches=16))
+        from synth.batches import make_pool
+
+        device = "cuda" if torch.cuda.is_available() else "cpu"
+        torch.manual_seed(0)
+        calibrate(net.to(device), generated_inputs(args.net, make_pool(0, 2000, 4, device), batches=16))
     compare(args.net, net, args.onnx)
     torch.save(net.state_dict(), args.weights)
     print(args.weights)

@@ -21,6 +21,7 @@ from torch.nn.parallel import DistributedDataParallel
 from losses import STEPS
 from nets import NETS, load_weights
 from pictures import save_sheet
+from restore import calibrate, generated_inputs, state_from_onnx
 from synth.batches import make_pool
 
 LOG_SECONDS = 20
@@ -42,7 +43,9 @@ def arguments():
         "--processes", type=int, default=os.cpu_count() or 4, help="for making the pool, all GPUs together"
     )
     parser.add_argument("--dir", default="checkpoints")
-    parser.add_argument("--init", default="", help="weights to start from")
+    parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
+    parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
+    parser.add_argument("--compile", action="store_true", help="compile the network first (a minute, then faster)")
     return parser.parse_args()
 
 
@@ -72,8 +75,9 @@ def learning_rate(base, step, done):
 
 
 def smooth(log, figures):
+    """Running means of figures, kept on the GPU: reading them would make the host wait for it at every step."""
     for name, value in figures.items():
-        log[name] = 0.98 * log.get(name, value) + 0.02 * value
+        log[name] = value.detach() if name not in log else 0.98 * log[name] + 0.02 * value.detach()
 
 
 def out_of_time(start, seconds, world):
@@ -86,12 +90,12 @@ def out_of_time(start, seconds, world):
 
 def train(net, optimizer, average, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
-    model = net
+    model = torch.compile(net) if args.compile else net
     if world > 1:
-        model = DistributedDataParallel(net, device_ids=[rank], broadcast_buffers=False)
+        model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     take_step = STEPS[args.net]
     total = args.total or spent + args.seconds
-    start = logged = time.time()
+    start = logged = kept = time.time()
     log = {}
     while True:
         elapsed = time.time() - start
@@ -101,8 +105,9 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
         optimizer.zero_grad(set_to_none=True)
         loss.backward()
         norm = torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
-        if torch.isfinite(norm):
-            optimizer.step()
+        # The fused optimizer leaves the weights as they are where this is 1; no need to look.
+        optimizer.found_inf = (~torch.isfinite(norm)).float()
+        optimizer.step()
         step += 1
         if step % AVERAGE_EVERY == 0:
             average.update(net, step)
@@ -114,9 +119,31 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
             logged = time.time()
             line = {"it": step, "t": round(spent + elapsed), "samples": step * args.batch * world}
             line["loss"] = round(loss.item(), 4)
-            print(json.dumps(line | {k: round(v, 3) for k, v in log.items()}), flush=True)
+            print(json.dumps(line | {k: round(v.item(), 3) for k, v in log.items()}), flush=True)
+        if rank == 0 and time.time() - kept > args.keep_every:
+            kept = time.time()
+            save(net, average, optimizer, spent + elapsed, step, os.path.join(args.dir, args.net))
         if stop:
             return step, spent + time.time() - start, columns
+
+
+def save(net, average, optimizer, spent, step, path):
+    """Write `path`.pt and `path`_weights.pt; whoever reads them meanwhile sees the old ones or the new ones."""
+    state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict(), "spent": spent, "it": step}
+    for name, content in ((path + ".pt", state), (path + "_weights.pt", average.half())):
+        torch.save(content, name + ".new")
+        os.replace(name + ".new", name)
+
+
+def initialised(which, init, pool):
+    """The network `which` on the GPU, with the weights of the file `init` if one is given."""
+    net = NETS[which]()
+    if init.endswith(".onnx"):
+        net.load_state_dict(state_from_onnx(init, net))
+        calibrate(net.cuda(), generated_inputs(which, pool, batches=16))
+    elif init:
+        load_weights(net, init)
+    return net.cuda().to(memory_format=torch.channels_last).train()
 
 
 def main():
@@ -141,10 +168,7 @@ def main():
     first_object = 1_000_000 * (64 * stream + rank + 1)
     pool = make_pool(first_object, args.pool, max(2, args.processes // world))
 
-    net = NETS[args.net]()
-    if args.init:
-        load_weights(net, args.init)
-    net = net.cuda().to(memory_format=torch.channels_last)
+    net = initialised(args.net, "" if saved else args.init, pool)
     average = Average(net)
     optimizer = torch.optim.AdamW(net.parameters(), lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
     if saved:
@@ -157,9 +181,7 @@ def main():
 
     step, spent, columns = train(net, optimizer, average, pool, args, spent, step, rank, world)
     if rank == 0:
-        state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict()}
-        torch.save(state | {"spent": spent, "it": step}, path + ".pt")
-        torch.save(average.half(), path + "_weights.pt")
+        save(net, average, optimizer, spent, step, path)
         save_sheet(columns, path + ".png")
         print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
     if world > 1:

@@ -13,7 +13,20 @@ import torch.nn.functional as F
 
 from .cameras import crop, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
-from .layout import CENTRE, COLOURS, FLOATS, HALF_SIZE, PATTERN_OFFSET, PRIMS, SHIFT, SUBJECT
+from .layout import (
+    CENTRE,
+    COLOURS,
+    CUT_FREQUENCY,
+    FLOATS,
+    FOCAL,
+    HALF_SIZE,
+    KIND,
+    PATTERN_OFFSET,
+    PRIMS,
+    SHIFT,
+    SUBJECT,
+)
+from .lens import exposed, stored
 from .objects import make_object
 from .raycast import cast
 
@@ -23,37 +36,43 @@ GREY = 0.5
 
 
 class Pool(NamedTuple):
-    """Objects to draw from: prims [N, PRIMS, 32], counts [N] int32, grounds [N] (height of the ground)."""
+    """Objects to draw from: prims [N, PRIMS, 36], counts [N] int32, grounds [N] (height of the ground).
+
+    companions [M]: the indices of those that often stand near others.
+    """
 
     prims: torch.Tensor
     counts: torch.Tensor
     grounds: torch.Tensor
+    companions: torch.Tensor
 
 
 def make_pool(first_seed, count, processes, device="cuda"):
     """The objects of `count` consecutive seeds."""
     seeds = range(first_seed, first_seed + count)
     with Processes(processes) as workers:
-        made = workers.map(make_object, seeds, chunksize=256)
+        made = workers.map(make_object, seeds, chunksize=64)
     return Pool(
-        prims=torch.from_numpy(np.stack([rows for rows, _, _ in made])).to(device),
-        counts=torch.tensor([used for _, used, _ in made], dtype=torch.int32, device=device),
-        grounds=torch.tensor([ground for _, _, ground in made], dtype=torch.float32, device=device),
+        prims=torch.from_numpy(np.stack([m.rows for m in made])).to(device),
+        counts=torch.tensor([m.count for m in made], dtype=torch.int32, device=device),
+        grounds=torch.tensor([m.ground for m in made], dtype=torch.float32, device=device),
+        companions=torch.tensor([i for i, m in enumerate(made) if m.companion] or [0], device=device),
     )
 
 
-def uniform(n, low, high, device="cuda"):
-    return torch.rand(n, device=device) * (high - low) + low
+def uniform(like, low, high):
+    """One number a row of `like` [n, ...], on its device."""
+    return torch.rand(len(like), device=like.device) * (high - low) + low
 
 
 def recolour(prims):
-    """Fresh colours on known shapes, [n, P, 32] -> [n, P, 32]: per object, channels permuted and colours scaled."""
+    """Fresh colours on known shapes, [n, P, 36] -> [n, P, 36]: per object, channels permuted and colours scaled."""
     n = len(prims)
     device = prims.device
     order = torch.argsort(torch.rand(n, 3, device=device), 1)
     out = prims.clone()
     gain = torch.exp(0.35 * torch.randn(n, 1, 1, device=device))
-    permuted = (torch.rand(n, device=device) < 0.6)[:, None, None]
+    permuted = (torch.rand(n, device=device) < 0.4)[:, None, None]
     for columns in COLOURS:
         colour = prims[..., columns]
         shuffled = torch.gather(colour, 2, order[:, None].expand(-1, colour.shape[1], -1))
@@ -67,52 +86,69 @@ def recolour(prims):
 
 
 class SceneBatch(NamedTuple):
-    """photo [n, 3, S, S] sRGB 0..1; alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky."""
+    """photo [n, 3, S, S] sRGB 0..1; point [n, 1, S, S], as `point_map` draws it, or 0 where none is given;
+    alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky."""
 
     photo: torch.Tensor
+    point: torch.Tensor
     alpha: torch.Tensor
     depth: torch.Tensor
 
 
 def scene_batch(pool, n, size=256):
-    """Photos of a subject near the middle, with other objects on the same ground."""
+    """Photos of a subject with other objects on the same ground.
+
+    In half of them a point on the subject says which it is, and it may stand anywhere; in the others it stands near
+    the middle.
+    """
     device = pool.prims.device
     chosen = torch.randint(len(pool.prims), (n,), device=device)
     subject = recolour(pool.prims[chosen])
-    azimuth = uniform(n, 0, 6.283)
-    elevation = uniform(n, -0.03, 0.8)
+    ground = pool.grounds[chosen]
+    pointed = uniform(chosen, 0, 1) < 0.5
+    azimuth = uniform(chosen, 0, 6.283)
+    elevation = torch.where(uniform(chosen, 0, 1) < 0.3, uniform(chosen, -0.3, 0.1), uniform(chosen, -0.03, 0.85))
     prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS), FLOATS, device=device)
     prims[:, :PRIMS] = subject
     counts = pool.counts[chosen].clone().long()
-    for _ in range(DISTRACTORS):
-        add_distractor(prims, counts, pool, pool.grounds[chosen], azimuth)
-    cameras = photo_cameras(azimuth, elevation, pool.grounds[chosen], size)
-    surroundings = environments(n, pool.grounds[chosen])
+    for i in range(DISTRACTORS):
+        add_distractor(prims, counts, pool, ground, azimuth, before=i == 0)
+    cameras = photo_cameras(azimuth, elevation, ground, size, pointed)
+    surroundings = environments(n, ground, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
     rgb, alpha, depth = cast(prims, counts.int(), each, cameras, surroundings, size, 2)
-    return SceneBatch(photo_noise(rgb), alpha, depth)
+    photo, alpha, depth = mirrored_margins(stored(exposed(rgb)), alpha, depth)
+    return SceneBatch(photo, points(alpha, pointed), alpha, depth)
 
 
-def add_distractor(prims, counts, pool, ground, azimuth):
+def add_distractor(prims, counts, pool, ground, azimuth, before):
     """In just under half of the scenes, one more object behind or beside the subject; prims and counts grow in place.
 
-    prims [n, P, 32], counts [n] int64, ground [n], azimuth [n] of the camera in radians.
+    prims [n, P, 36], counts [n] int64, ground [n], azimuth [n] of the camera in radians. `before`: in some scenes
+    a low one in front instead.
     """
     n, capacity, _ = prims.shape
     device = prims.device
     chosen = torch.randint(len(pool.prims), (n,), device=device)
+    companions = pool.companions[torch.randint(len(pool.companions), (n,), device=device)]
+    front = (uniform(ground, 0, 1) < 0.3) & before
+    chosen = torch.where((uniform(ground, 0, 1) < 0.5) | front, companions, chosen)
     rows = recolour(pool.prims[chosen])
-    scale = torch.exp(uniform(n, -1.1, 0.9))
-    near = torch.rand(n, device=device) < 0.3
-    distance = torch.where(near, uniform(n, 0.9, 1.6), uniform(n, 1.5, 6))
-    distance = distance * (0.6 + 0.5 * scale) + 0.3 * scale
-    bearing = azimuth + math.pi + uniform(n, -1, 1) * torch.where(near, 2.4, 1.4)
-    present = torch.rand(n, device=device) < 0.45
+    scale = torch.where(front, torch.exp(uniform(ground, -1.8, -0.6)), torch.exp(uniform(ground, -1.1, 1.1)))
+    near = uniform(ground, 0, 1) < 0.3
+    distance = torch.where(near, uniform(ground, 0.9, 1.6), uniform(ground, 1.5, 6))
+    distance = torch.where(front, uniform(ground, 1.0, 1.7), distance * (0.6 + 0.5 * scale) + 0.3 * scale)
+    bearing = azimuth + math.pi + uniform(ground, -1, 1) * torch.where(near, 2.4, 1.4)
+    bearing = torch.where(front, azimuth + uniform(ground, -0.7, 0.7), bearing)
+    present = uniform(ground, 0, 1) < 0.45
     up = ground - pool.grounds[chosen] * scale
     offset = torch.stack([distance * bearing.cos(), distance * bearing.sin(), up], 1)
     rows[..., CENTRE] = rows[..., CENTRE] * scale[:, None, None] + offset[:, None]
     rows[..., HALF_SIZE] *= scale[:, None, None]
     rows[..., SHIFT] *= scale[:, None, None]
+    # Bars around a round wall are counted by the turn, all others by length.
+    by_length = rows[..., KIND] < 1.5
+    rows[..., CUT_FREQUENCY] /= torch.where(by_length, scale[:, None], torch.ones_like(scale[:, None]))
     rows[..., SUBJECT] = 0
 
     added = torch.where(present, pool.counts[chosen].long(), torch.zeros_like(counts))
@@ -124,35 +160,59 @@ def add_distractor(prims, counts, pool, ground, azimuth):
     counts += added
 
 
-def photo_cameras(azimuth, elevation, ground, size):
-    """Hand-held cameras: above the ground, roughly at the subject, slightly rolled; the subject small to overfull."""
+def photo_cameras(azimuth, elevation, ground, size, anywhere):
+    """Hand-held cameras: above the ground, roughly at the subject, slightly rolled; the subject small to overfull.
+
+    Where `anywhere` [n] is set they look aside further. Some pictures are squeezed, as non-square photos are before
+    the network sees them.
+    """
     n = len(azimuth)
     device = azimuth.device
-    fov = uniform(n, 0.35, 1.2)
-    distance = 1 / torch.tan(fov / 2) / torch.exp(uniform(n, -1.05, 0.42)) + 0.25
+    fov = uniform(azimuth, 0.3, 1.25)
+    fill = torch.where(uniform(azimuth, 0, 1) < 0.15, uniform(azimuth, 0.2, 0.75), uniform(azimuth, -1.15, 0.35))
+    distance = 1 / torch.tan(fov / 2) / torch.exp(fill) + 0.25
     eye = orbit(azimuth, elevation, distance)
-    eye[:, 2] = torch.maximum(eye[:, 2], ground + 0.12)
-    rotation, translation = look_at(eye, target=torch.randn(n, 3, device=device) * 0.14)
+    eye[:, 2] = torch.maximum(eye[:, 2], ground + 0.08)
+    aside = torch.where(anywhere, uniform(azimuth, 0.1, 0.8) / torch.exp(fill).clamp(min=0.6), torch.full_like(fov, 0.15))
+    rotation, translation = look_at(eye, target=torch.randn(n, 3, device=device) * aside[:, None])
     rotation, translation = rolled(rotation, translation, torch.randn(n, device=device) * 0.05)
-    return pack(rotation, translation, fov, size, subject_only=False)
+    cameras = pack(rotation, translation, fov, size, subject_only=False)
+    squeeze = torch.randn(n, device=device) * 0.12
+    cameras[:, FOCAL] *= torch.stack([torch.exp(squeeze), torch.exp(-squeeze)], 1)
+    return cameras
 
 
-def photo_noise(photo):
-    """What cameras do to light [n, 3, H, W]: gamma, exposure, white balance, blur or sharpening, noise."""
-    n = len(photo)
-    device = photo.device
+def mirrored_margins(photo, alpha, depth):
+    """In some pictures, a margin of mirrored surroundings, as the program shows them; the subject ends with the photo."""
+    n, size = alpha.shape[0], alpha.shape[-1]
+    device = alpha.device
+    wider = torch.where(uniform(alpha, 0, 1) < 0.2, uniform(alpha, 1.05, 1.45), torch.ones(n, device=device))
+    if size < 2:
+        return photo, alpha, depth
+    theta = torch.zeros(n, 2, 3, device=device)
+    theta[:, 0, 0] = wider
+    theta[:, 1, 1] = wider
+    grid = F.affine_grid(theta, (n, 1, size, size), align_corners=False)
+    photo = F.grid_sample(photo, grid, mode="bilinear", padding_mode="reflection", align_corners=False)
+    alpha = F.grid_sample(alpha[:, None], grid, mode="bilinear", padding_mode="zeros", align_corners=False)[:, 0]
+    depth = F.grid_sample(depth[:, None], grid, mode="nearest", padding_mode="reflection", align_corners=False)[:, 0]
+    return photo, alpha, depth
 
-    def normal(channels, sigma):
-        return torch.randn(n, channels, 1, 1, device=device) * sigma
 
-    photo = photo.clamp(1e-4, 1) ** torch.exp(normal(1, 0.15))
-    photo = photo * torch.exp(normal(1, 0.12) + normal(3, 0.04))
-    choice = torch.rand(n, 1, 1, 1, device=device)
-    blurred = F.avg_pool2d(F.pad(photo, (1, 1, 1, 1), mode="replicate"), 3, 1)
-    sharpened = torch.where(choice > 0.75, photo + 0.7 * (photo - blurred), photo)
-    photo = torch.where(choice < 0.3, blurred, sharpened)
-    noise = torch.randn_like(photo)
-    return (photo + noise * (0.03 * torch.rand(n, 1, 1, 1, device=device) ** 2)).clamp(0, 1)
+def points(alpha, wanted):
+    """A random point on every subject, drawn [n, 1, S, S]; nothing where none is wanted or there is no subject."""
+    n, size = alpha.shape[0], alpha.shape[-1]
+    solid = (alpha > 0.6).float().flatten(1)
+    given = wanted & (solid.sum(1) > 0)
+    index = (torch.rand_like(solid) * solid).argmax(1)
+    return point_map(index % size + 0.5, index // size + 0.5, size) * given[:, None, None, None]
+
+
+def point_map(x, y, size):
+    """A picture [n, 1, S, S] of points x, y [n] in pixels: 1 there, falling off within a twentieth of the picture."""
+    centres = torch.arange(size, device=x.device) + 0.5
+    away = torch.hypot(centres[None, None, :] - x[:, None, None], centres[None, :, None] - y[:, None, None])
+    return torch.exp(-away * (20 / size))[:, None]
 
 
 # ---------------------------------------------------------------- subjects from many sides
@@ -181,22 +241,25 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     chosen = torch.randint(len(pool.prims), (n,), device=device)
     prims = recolour(pool.prims[chosen])
     counts = pool.counts[chosen]
-    azimuth = uniform(n, 0, 6.283)
-    elevation = uniform(n, -0.1, 0.9)
-    photo_fov = uniform(n, 0.2, 1.0)
+    azimuth = uniform(chosen, 0, 6.283)
+    elevation = torch.where(uniform(chosen, 0, 1) < 0.2, uniform(chosen, -0.3, 0.1), uniform(chosen, -0.08, 0.95))
+    photo_fov = uniform(chosen, 0.2, 1.0)
     rotation, translation = look_at(orbit(azimuth, elevation, 1.02 / torch.sin(photo_fov / 2)))
     # The ground lies far below: nothing but the subject is in the picture, and nothing shades it from below.
-    surroundings = environments(n, pool.grounds[chosen] - 1e3)
+    surroundings = environments(n, pool.grounds[chosen] - 1e3, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
 
     probe = pack(rotation, translation, photo_fov * 1.1, 64, subject_only=True)
-    fill = uniform(n, 0.82, 0.94)
+    fill = uniform(chosen, 0.82, 0.94)
     _, coarse, _ = cast(prims, counts, each, probe, surroundings, 64, 1)
     cameras, empty = crop(probe, coarse, size, fill)
     rgb, alpha, _ = cast(prims, counts, each, cameras, surroundings, size, 2)
     alpha = alpha[:, None]
-    photo = photo_noise(on_grey(rgb, alpha))
-    rgba = torch.cat([photo * (alpha > 0.02) + GREY * (alpha <= 0.02), alpha], 1)
+    mask = damaged(alpha)
+    backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
+    # Its colours stay: the answer is to look like the photo.
+    photo = stored(composed(rgb, alpha, backdrop.clamp(0, 1)))
+    rgba = torch.cat([photo * mask + GREY * (1 - mask), mask], 1)
 
     canonical = look_at(orbit(azimuth, elevation, torch.full_like(azimuth, distance)))
     rotation, translation = truth_cameras(azimuth, elevation, distance, views)
@@ -216,19 +279,36 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     )
 
 
+def damaged(alpha):
+    """Masks [n, 1, S, S] as a network would find them: a little wide, tight or soft, some cut off at one side."""
+    n, _, size, _ = alpha.shape
+    device = alpha.device
+    soft = F.avg_pool2d(F.pad(alpha, (1, 1, 1, 1)), 3, 1)
+    shift = 0.45 * torch.randn(n, 1, 1, 1, device=device).clamp(-1.5, 1.5)
+    gain = torch.exp(torch.rand(n, 1, 1, 1, device=device) * 1.5)
+    moved = ((soft - 0.5 + 0.5 * shift) * gain + 0.5).clamp(0, 1) * (soft > 0.02)
+    kept = torch.rand(n, 1, 1, 1, device=device) < 0.45
+    mask = torch.where(kept, alpha, moved)
+    centres = (torch.arange(size, device=device) + 0.5) / size
+    side = torch.randint(4, (n, 1, 1, 1), device=device)
+    across, down = centres[None, None, None, :], centres[None, None, :, None]
+    along = torch.where(side == 0, across, torch.where(side == 1, 1 - across, torch.where(side == 2, down, 1 - down)))
+    cut = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.1, torch.rand(n, 1, 1, 1, device=device) * 0.2, -1.0)
+    return mask * (along > cut + 0.06 * (cut > 0))
+
+
 def truth_cameras(azimuth, elevation, distance, views):
     """The photo's own side, one near it, the others anywhere; rotation [n, V, 3, 3], translation [n, V, 3]."""
-    n = len(azimuth)
-    around = [azimuth, azimuth + uniform(n, -0.9, 0.9)]
-    around += [uniform(n, 0, 6.283) for _ in range(views - 2)]
-    above = [elevation] + [uniform(n, -0.25, 1.0) for _ in range(views - 1)]
+    around = [azimuth, azimuth + uniform(azimuth, -0.9, 0.9)]
+    around += [uniform(azimuth, 0, 6.283) for _ in range(views - 2)]
+    above = [elevation] + [uniform(azimuth, -0.25, 1.0) for _ in range(views - 1)]
     around = torch.stack(around, 1)
     return look_at(orbit(around, torch.stack(above, 1), torch.full_like(around, distance)))
 
 
-def on_grey(rgb, alpha):
-    """A view of the subject alone (premultiplied in linear light, gamma-encoded) over grey, sRGB."""
-    linear = rgb.clamp(min=0) ** 2.2 + (1 - alpha) * GREY**2.2
+def composed(rgb, alpha, backdrop):
+    """A view of the subject alone (premultiplied in linear light, gamma-encoded) over `backdrop` (sRGB), sRGB."""
+    linear = rgb.clamp(min=0) ** 2.2 + (1 - alpha) * backdrop**2.2
     return linear.clamp(1e-6, 1) ** (1 / 2.2)
 
 

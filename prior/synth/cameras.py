@@ -1,8 +1,16 @@
 """Cameras: OpenCV axes, world -> camera, pixel centres at +0.5; one row a camera as `layout` describes it."""
 
+from functools import cache
+
 import torch
 
 from .layout import CENTRE_X, CENTRE_Y, FOCAL
+
+
+@cache
+def fixed(values, device):
+    """A constant tensor of (nested) tuples. Made once: every copy to a GPU makes the host wait for it."""
+    return torch.tensor(values, device=device)
 
 
 def look_at(eye, target=None):

@@ -2,14 +2,22 @@
 
 import torch
 
-from .layout import ENVIRONMENT_FLOATS
+from .cameras import fixed
+from .layout import EARTH, ENVIRONMENT_FLOATS, GRASS, NOISE_ROOM, PLANKED, TREES, WALL
 
-# Open sky, landscape, wall, room of noise, clutter.
-BACKDROP_CHANCES = [0.18, 0.3, 0.2, 0.07, 0.25]
+# Open sky, landscape, wall, room of noise, clutter, trees, town.
+BACKDROP_CHANCES = [0.16, 0.17, 0.19, 0.05, 0.12, 0.17, 0.14]
+# Earth, tiles, paving, grass, water, planks.
+GROUND_CHANCES = [0.4, 0.1, 0.16, 0.18, 0.06, 0.1]
+# Clear, overcast, low sun, night, studio.
+WEATHER_CHANCES = [0.4, 0.3, 0.12, 0.08, 0.1]
+CLEAR, OVERCAST, LOW_SUN, NIGHT, STUDIO = range(5)
+# Patterns of walls: none, bricks, planks, façade, patchwork, windows, ribs, checker, hedge (-1).
+WALL_KINDS = [0, 0, 0, 8, 8, 10, 15, 16, 3, 18, 4, -1, -1]
 
 
 def environments(n, ground, device="cuda"):
-    """Rows [n, 32] for n scenes; ground [n] is the height of each scene's ground. Colours in linear light."""
+    """Rows [n, 36] for n scenes; ground [n] is the height of each scene's ground. Colours in linear light."""
 
     def uniform(low, high, count=1):
         return torch.rand(n, count, device=device) * (high - low) + low
@@ -17,38 +25,75 @@ def environments(n, ground, device="cuda"):
     def normal():
         return torch.randn(n, 3, device=device)
 
+    def drawn(chances):
+        bounds = fixed(tuple(sum(chances[:i]) for i in range(1, len(chances))), device)
+        return torch.bucketize(uniform(0, 1), bounds)
+
+    weather = drawn(WEATHER_CHANCES)
+    dull, low, night, studio = (weather == kind for kind in (OVERCAST, LOW_SUN, NIGHT, STUDIO))
     azimuth = uniform(0, 6.283)
-    elevation = uniform(0.25, 1.45)
+    elevation = torch.where(low, uniform(0.06, 0.35), uniform(0.25, 1.45))
     sun = torch.cat([elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin()], 1)
-    sunlight = uniform(0.4, 1.5) * (1 + 0.25 * normal()).clamp(0.3, 1.6)
+    sunlight = uniform(0.4, 1.5) * (1 + 0.2 * normal()).clamp(0.3, 1.6)
+    warm = fixed((1.25, 0.9, 0.6), device)
+    sunlight = torch.where(low, sunlight * warm, sunlight)
+    sunlight = torch.where(dull, sunlight * uniform(0, 0.25), sunlight)
+    sunlight = torch.where(night, sunlight * uniform(0, 0.5), sunlight)
+    sun_size = torch.where(dull | studio, uniform(0.1, 0.5), uniform(0.0, 0.12))
 
     blue = torch.cat([uniform(0.2, 0.6), uniform(0.35, 0.75), uniform(0.5, 1)], 1) * uniform(0.5, 1.1)
     grey = uniform(0.3, 0.95)
-    zenith = torch.where(uniform(0, 1) < 0.4, grey + 0.05 * normal(), blue)
+    zenith = torch.where((uniform(0, 1) < 0.25) | dull, grey + 0.04 * normal(), blue)
     horizon = (zenith * uniform(0.8, 1.4) + uniform(0, 0.3)).clamp(0, 1)
+    sunset = torch.cat([uniform(0.6, 1), uniform(0.3, 0.7), uniform(0.1, 0.5)], 1)
+    horizon = torch.where(low & (uniform(0, 1) < 0.6), sunset, horizon)
+    zenith = torch.where(night, zenith * uniform(0.02, 0.35), zenith)
+    horizon = torch.where(night, horizon * uniform(0.05, 0.6), horizon)
 
-    ground_a = (uniform(0.05, 0.6) + 0.12 * normal()).clamp(0.02, 0.95)
-    green = torch.tensor([0.7, 1.1, 0.5], device=device)
-    ground_a = torch.where(uniform(0, 1) < 0.3, ground_a * green, ground_a)
+    ground_a = (uniform(0.05, 0.6) + 0.1 * normal()).clamp(0.02, 0.95)
+    green = fixed((0.55, 1.1, 0.35), device)
+    ground_kind = drawn(GROUND_CHANCES)
+    ground_kind = torch.where(uniform(0, 1) < 0.03, torch.full_like(ground_kind, EARTH), ground_kind)
+    grassy = (ground_kind == GRASS) & (uniform(0, 1) < 0.85)
+    ground_a = torch.where(grassy, uniform(0.08, 0.5) * green * (1 + 0.15 * normal()), ground_a)
+    wooden = (ground_kind == PLANKED) & (uniform(0, 1) < 0.7)
+    wood = fixed((1.3, 0.8, 0.45), device)
+    ground_a = torch.where(wooden, uniform(0.08, 0.5) * wood, ground_a).clamp(0.02, 0.95)
     ground_b = (ground_a * uniform(0.4, 1.7) + 0.05 * normal()).clamp(0.02, 0.95)
 
-    chances = torch.tensor(BACKDROP_CHANCES, device=device)
-    backdrop = torch.multinomial(chances, n, True)[:, None].float()
+    backdrop = drawn(BACKDROP_CHANCES)
     wall_azimuth = uniform(0, 6.283)
     hills = (uniform(0.05, 0.5) + 0.1 * normal()).clamp(0.02, 0.9)
+    leafy = (backdrop == TREES) & (uniform(0, 1) < 0.85)
+    hills = torch.where(leafy, uniform(0.1, 0.55) * green * (1 + 0.25 * normal()).clamp(0.3, 2), hills)
+    kinds = fixed(tuple(WALL_KINDS), device)
+    wall_kind = kinds[torch.randint(len(kinds), (n, 1), device=device)]
+
+    # A studio: one even colour all around, as of product photos and cut-outs.
+    even = torch.where(uniform(0, 1) < 0.5, uniform(0.7, 1.0).expand(n, 3), (uniform(0.03, 0.95) + 0.06 * normal()).clamp(0.01, 1))
+    zenith, horizon = (torch.where(studio, even * uniform(0.93, 1.03), c) for c in (zenith, horizon))
+    ground_a, ground_b, hills = (torch.where(studio, even * uniform(0.93, 1.03), c) for c in (ground_a, ground_b, hills))
+    backdrop = torch.where(studio, torch.where(uniform(0, 1) < 0.5, WALL, NOISE_ROOM), backdrop)
+    wall_kind = torch.where(studio, torch.zeros_like(wall_kind), wall_kind)
+    ground_kind = torch.where(studio, torch.full_like(ground_kind, EARTH), ground_kind)
+
+    ambient = torch.where(dull | studio, uniform(0.6, 1.15), uniform(0.25, 0.8))
+    ambient = torch.where(night, uniform(0.12, 0.45), ambient)
+    fog = torch.where(uniform(0, 1) < 0.2, uniform(0, 0.08), uniform(0, 0.008))
     rest = [
         torch.exp(uniform(-0.5, 2.5)),  # ground frequency
-        uniform(0.25, 0.9),  # ambient light
-        (uniform(0, 1) < 0.2).float(),  # tiled ground
-        backdrop,
+        ambient,
+        ground_kind.float(),
+        backdrop.float(),
         uniform(0, 500).floor(),  # seed of the noise
         ground[:, None],
         wall_azimuth.cos(),
         wall_azimuth.sin(),
-        uniform(1.5, 6),  # wall distance
+        torch.where(uniform(0, 1) < 0.3, uniform(1.0, 1.6), uniform(1.5, 6)),  # wall distance
         uniform(0, 1),  # clouds
         uniform(0, 2),  # hills
     ]
-    rows = torch.cat([sun, sunlight, zenith, horizon, ground_a, ground_b, *rest, hills], 1)
+    last = [sun_size, fog, wall_kind.float(), torch.exp(uniform(-0.3, 1.9))]
+    rows = torch.cat([sun, sunlight, zenith, horizon, ground_a, ground_b, *rest, hills, *last], 1)
     assert rows.shape[1] == ENVIRONMENT_FLOATS
     return rows.contiguous()

@@ -5,14 +5,18 @@ Camera frame: OpenCV (x right, y down, z forward).
 """
 
 # Primitives an object may have.
-PRIMS = 48
+PRIMS = 64
 
 # Kinds of convex primitive. BOX: its top may be scaled (taper) and moved (shift) against its bottom.
-# CYL: elliptic, along local z, its top scaled by the first taper.
-BOX, BALL, CYL = 0, 1, 2
+# CYL: elliptic, along local z, its top scaled by the first taper. TUBE: the mantle of a CYL, seen from both sides.
+# PRISM: like CYL with as many flat sides as the second taper says.
+BOX, BALL, CYL, TUBE, PRISM = range(5)
+
+# What is cut out of a primitive: nothing, gaps between leaves, or all but bars, rungs, crossed bars, a grid, spokes.
+SOLID, LEAVES, BARS, RUNGS, LATTICE, GRID, SPOKES = range(7)
 
 # One primitive.
-FLOATS = 32
+FLOATS = 36
 KIND = 0
 CENTRE = slice(1, 4)
 ROTATION = slice(4, 13)  # world -> local, row-major
@@ -22,10 +26,14 @@ SHIFT = slice(18, 20)
 COLOURS = (slice(20, 23), slice(23, 26))  # linear light, 0..1
 PATTERN = 26
 FREQUENCY = 27  # of the pattern, per unit length
-GLOSS = 28
+GLOSS = 28  # strength of the highlight; negative: the surface shines by itself, that much
 SHININESS = 29  # exponent of the highlight
 PATTERN_OFFSET = 30
 SUBJECT = 31  # 1 for the subject, 0 for what only stands around
+CUTOUT = 32
+CUT_FREQUENCY = 33  # bars per unit length, spokes per turn
+CUT_SHARE = 34  # of the primitive that stays
+BEVEL = 35  # width of a box's rounded edges over its least half size; changes its shading alone
 
 # One camera.
 CAMERA_FLOATS = 20
@@ -34,7 +42,9 @@ CENTRE_X, CENTRE_Y = 14, 15  # pixels
 SUBJECT_ONLY = 16
 
 # One environment: sun direction 0:3 and colour 3:6, zenith 6:9, horizon 9:12, two ground colours 12:15 and 15:18,
-# then ground frequency, ambient light, checker flag, backdrop, seed, ground height, wall normal x and y, wall distance,
-# clouds, hills, and the hills' colour 29:32.
-ENVIRONMENT_FLOATS = 32
-OPEN_SKY, LANDSCAPE, WALL, NOISE_ROOM, CLUTTER = range(5)
+# then ground frequency, ambient light, kind of ground, backdrop, seed, ground height, wall normal x and y, wall
+# distance, clouds, hills, the hills' colour 29:32, the sun's size (radians), fog, kind of wall, and the size of
+# textures in the surroundings.
+ENVIRONMENT_FLOATS = 36
+OPEN_SKY, LANDSCAPE, WALL, NOISE_ROOM, CLUTTER, TREES, TOWN = range(7)
+EARTH, TILED, PAVED, GRASS, WATER, PLANKED = range(6)

@@ -1,44 +1,128 @@
 """A seed becomes an object: one maker's primitives, stretched, centred and scaled to a bounding box of diagonal 2."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship
+from .creatures import bird, bust, person, quadruped, soft_toy
+from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
-from .layout import BOX, FLOATS, PRIMS
+from .layout import BALL, BOX, FLOATS, PRIMS, SPOKES
+from .machines import boat, cycle, digger, forklift, gun, jet, plant_hall, rocket, rotorcraft, round_car, tractor, train
+from .structures import (
+    arch,
+    block,
+    castle,
+    church,
+    crane,
+    fence,
+    fountain,
+    gabled_house,
+    lattice_mast,
+    leafy,
+    pavilion,
+    play_house,
+    scaffold,
+    statue,
+    street_furniture,
+    tank_tower,
+    temple,
+    tiered,
+    windmill,
+)
 from .things import figure, furniture, kitbash, plant, ware
 from .vehicles import bike, bus, car, tank, truck
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
-    (car, 16),
+    (car, 9),
+    (round_car, 16),
     (truck, 9),
-    (bus, 7),
-    (bike, 5),
-    (tank, 8),
-    (plane, 13),
-    (helicopter, 8),
-    (ship, 5),
-    (house, 13),
-    (tower, 8),
-    (store, 7),
-    (plant, 5),
-    (figure, 6),
-    (ware, 6),
-    (furniture, 4),
-    (mast, 4),
-    (kitbash, 9),
+    (bus, 5),
+    (bike, 2),
+    (cycle, 6),
+    (tank, 7),
+    (gun, 5),
+    (forklift, 6),
+    (digger, 6),
+    (tractor, 3),
+    (train, 3),
+    (plane, 5),
+    (jet, 12),
+    (helicopter, 3),
+    (rotorcraft, 9),
+    (rocket, 4),
+    (ship, 4),
+    (boat, 5),
+    (house, 5),
+    (gabled_house, 9),
+    (play_house, 8),
+    (block, 6),
+    (tower, 4),
+    (tiered, 7),
+    (pavilion, 6),
+    (temple, 3),
+    (church, 6),
+    (castle, 3),
+    (arch, 3),
+    (scaffold, 5),
+    (lattice_mast, 3),
+    (mast, 2),
+    (crane, 3),
+    (fountain, 4),
+    (statue, 3),
+    (windmill, 3),
+    (tank_tower, 4),
+    (fence, 2),
+    (street_furniture, 6),
+    (store, 5),
+    (plant_hall, 3),
+    (plant, 2),
+    (leafy, 5),
+    (figure, 2),
+    (person, 9),
+    (bust, 3),
+    (soft_toy, 11),
+    (quadruped, 9),
+    (bird, 4),
+    (ware, 3),
+    (vessel, 6),
+    (turned, 6),
+    (furniture, 2),
+    (seat, 5),
+    (gadget, 5),
+    (clothing, 4),
+    (instrument, 4),
+    (kitbash, 5),
+    (blob, 9),
 ]
 
 
-def make_object(seed):
-    """One object: primitive rows float32 [PRIMS, FLOATS], how many are used, and the height of its ground.
+# What often stands beside, behind or before other things.
+COMPANIONS = (leafy, plant, street_furniture, lattice_mast, fence, person, gabled_house, block, round_car, seat)
+
+
+class Made(NamedTuple):
+    """An object: primitive rows float32 [PRIMS, FLOATS], how many are used, the height of its ground, whether it is a
+    companion of others.
 
     The bounding box is centred on the origin; lengths are in units of half its diagonal.
     """
+
+    rows: np.ndarray
+    count: int
+    ground: float
+    companion: bool
+
+
+def make_object(seed):
+    """The object of a seed."""
     rng = np.random.default_rng(seed)
     kit = Kit(rng)
-    draw_maker(rng)(kit)
+    maker = draw_maker(rng)
+    maker(kit)
     primitives = kit.primitives[:PRIMS]
     # Only the centres are stretched: gaps and overlaps vary, the primitives stay what they are.
     stretch = draw_stretch(rng)
@@ -50,7 +134,7 @@ def make_object(seed):
     for i, primitive in enumerate(primitives):
         place = spin @ ((stretch @ primitive.centre - centre) * scale)
         rows[i] = row(primitive, place, spin @ primitive.rotation, scale)
-    return rows, len(primitives), (low - centre)[2] * scale
+    return Made(rows, len(primitives), (low - centre)[2] * scale, maker in COMPANIONS)
 
 
 def draw_maker(rng):
@@ -70,7 +154,8 @@ def bounds(primitives, stretch):
     high = np.full(3, -1e9)
     for p in primitives:
         lean = [abs(p.shift[0]) / p.half[0], abs(p.shift[1]) / p.half[1]] if p.kind == BOX else [0, 0]
-        reach = np.array([max(1, p.taper[0]) + lean[0], max(1, p.taper[1]) + lean[1], 1])
+        wide = p.taper if p.kind == BOX else (p.taper[0], p.taper[0]) if p.kind != BALL else (1, 1)
+        reach = np.array([max(1, wide[0]) + lean[0], max(1, wide[1]) + lean[1], 1])
         extent = np.abs(p.rotation) @ (p.half * reach)
         low = np.minimum(low, stretch @ p.centre - extent)
         high = np.maximum(high, stretch @ p.centre + extent)
@@ -78,8 +163,11 @@ def bounds(primitives, stretch):
 
 
 def row(primitive, centre, rotation, scale):
-    """The primitive's row as `layout` describes it; the last column says that it belongs to the subject."""
-    kind, _, half, taper, shift, _, material = primitive
+    """The primitive's row as `layout` describes it; marked as the subject's."""
+    kind, _, half, taper, shift, _, material, cut, bevel = primitive
     shape = [kind, *centre, *rotation.T.ravel(), *(half * scale), *taper, shift[0] * scale, shift[1] * scale]
     look = [*material.first, *material.second, *material[2:]]
-    return np.array([*shape, *look, 1])
+    gone, frequency, share = cut
+    if kind in (BOX, BALL) and gone != SPOKES:
+        frequency = frequency / scale
+    return np.array([*shape, *look, 1, gone, frequency, share, bevel])

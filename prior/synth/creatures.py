@@ -1,0 +1,214 @@
+"""Makers of people, animals and soft toys out of ellipsoids and rounded limbs."""
+
+import numpy as np
+
+from .kit import turn
+from .layout import BALL, BOX, CYL
+from .materials import SPECKLES, paint
+
+
+def skin_material(kit):
+    tone = kit.rng.uniform(0.15, 1)
+    return kit.material(base=np.array([0.62, 0.4, 0.29]) * tone, pattern=0, gloss=0.05)
+
+
+def fur_material(kit):
+    hue = kit.rng.choice([0.06, 0.08, 0.1, 0.12])
+    base = paint(hue, kit.rng.uniform(0, 0.8), kit.rng.uniform(0.04, 0.85))
+    if kit.chance(0.2):
+        base = None
+    return kit.material(base=base, pattern=kit.rng.choice([0, 1, 1, SPECKLES, 5]), gloss=0.01)
+
+
+def soft_toy(kit):
+    """Bears, rabbits, cats, dogs of cloth: big head, short limbs, sitting, standing or lying."""
+    rng = kit.rng
+    fur = fur_material(kit)
+    pale = fur if kit.chance(0.4) else kit.material(base=np.clip(fur.first * 1.8 + 0.1, 0, 0.95), pattern=fur.pattern)
+    dark = kit.material(dark=True, gloss=0.5, pattern=0)
+    sitting = kit.chance(0.65)
+    fat = rng.uniform(0.75, 1.15)
+    tall = rng.uniform(0.45, 0.7)
+    bottom = 0.0 if sitting else rng.uniform(0.35, 0.6)
+    kit.add(BALL, (0, 0, bottom + tall * 0.9), (0.42 * fat, 0.46 * fat, tall), material=fur)
+    if kit.chance(0.5):
+        kit.add(BALL, (0.08 * fat, 0, bottom + tall * 0.85), (0.37 * fat, 0.36 * fat, tall * 0.8), material=pale)
+    head = rng.uniform(0.34, 0.52)
+    z = bottom + 1.75 * tall + 0.6 * head
+    lean = rng.uniform(-0.05, 0.12)
+    kit.add(BALL, (lean, 0, z), (head * 0.95, head * rng.uniform(0.95, 1.15), head * rng.uniform(0.85, 1)), material=fur)
+    kit.add(BALL, (lean + head * 0.8, 0, z - head * 0.2), (head * 0.4, head * 0.42, head * 0.33), material=pale)
+    kit.add(BALL, (lean + head * 1.17, 0, z - head * 0.1), (head * 0.1, head * 0.13, head * 0.1), material=dark)
+    kit.add(BALL, (lean + head * 0.82, head * 0.35, z + head * 0.2), (head * 0.1,) * 3, material=dark, mirror=True)
+    ear = rng.random()
+    if ear < 0.55:
+        size = head * rng.uniform(0.25, 0.42)
+        kit.add(BALL, (lean, head * 0.75, z + head * 0.75), (size * 0.5, size, size), material=fur, mirror=True)
+        kit.add(BALL, (lean + size * 0.35, head * 0.75, z + head * 0.75), (size * 0.3, size * 0.6, size * 0.6), material=pale, mirror=True)
+    elif ear < 0.8:
+        tip = (lean - 0.1, head * rng.uniform(0.5, 1.4), z + head * rng.uniform(0.2, 2))
+        kit.chain([(lean, head * 0.5, z + head * 0.7), tip], [head * 0.2, head * 0.16], fur, mirror=True)
+    else:
+        kit.add(CYL, (lean, head * 0.6, z + head), (head * 0.3, head * 0.2, head * 0.35), (0.1, 1), material=fur, mirror=True)
+    limb = rng.uniform(0.13, 0.22) * fat
+    shoulder = (0.05, 0.36 * fat, bottom + 1.4 * tall)
+    out = rng.uniform(0.2, 0.5)
+    hand = (rng.uniform(0, 0.5), 0.4 * fat + out, bottom + 1.4 * tall + rng.uniform(-0.7, 0.3))
+    kit.chain([shoulder, hand], [limb, limb * rng.uniform(0.8, 1.1)], fur, mirror=True)
+    thick = limb * rng.uniform(1.1, 1.4)
+    if sitting:
+        foot = (0.55 + rng.uniform(0, 0.4), rng.uniform(0.3, 0.6), thick)
+        kit.chain([(0.1, 0.25 * fat, thick * 1.1), foot], [thick, thick], fur, mirror=True)
+        kit.add(BALL, (foot[0] + 0.1, foot[1], thick * 1.2), (thick * 0.5, thick * 1.05, thick * 1.3), material=pale, mirror=True)
+    else:
+        foot = (0.05, 0.25 * fat, thick)
+        kit.chain([(0, 0.22 * fat, bottom + 0.3), foot], [thick, thick], fur, mirror=True)
+        kit.add(BALL, (0.15, 0.25 * fat, thick * 0.7), (thick * 1.5, thick, thick * 0.7), material=pale, mirror=True)
+    if kit.chance(0.3):
+        bow = kit.material(gloss=0.2)
+        kit.add(BALL, (0.3 * fat, 0.12, bottom + 1.7 * tall), (0.05, 0.13, 0.08), material=bow, mirror=True)
+    if kit.chance(0.25):
+        kit.add(CYL, (0, 0, bottom + tall * 0.9), (0.46 * fat, 0.49 * fat, tall * 0.5), (0.8, 1), material=kit.material())
+
+
+def person_body(kit, base, size, top, bottom, skin, pose=None):
+    """A standing, walking, sitting or reaching person of height about 1.75 `size` on `base`."""
+    rng = kit.rng
+    x, y, z = base
+    pose = pose or rng.choice(["stand", "walk", "sit", "reach", "stand"])
+    hair = kit.material(base=paint(0.08, rng.uniform(0, 0.8), rng.uniform(0.02, 0.6)), pattern=rng.choice([0, 1]))
+
+    def at(px, py, pz):
+        return (x + px * size, y + py * size, z + pz * size)
+
+    hip = 0.9 if pose != "sit" else 0.45
+    wide = rng.uniform(0.9, 1.25)
+    stride = rng.uniform(0.1, 0.4) if pose == "walk" else rng.uniform(0, 0.08)
+    shoe = kit.material(dark=kit.chance(0.7))
+    leg = 0.085 * size * wide
+    for side in (-1, 1):
+        step = side * stride
+        if pose == "sit":
+            knee, ankle = at(0.45, side * 0.13, 0.47), at(0.47, side * 0.13, 0.06)
+        else:
+            knee, ankle = at(0.6 * max(step, 0) + 0.02, side * 0.1 * wide, 0.48), at(step, side * 0.11 * wide, 0.07)
+        kit.chain([at(0, side * 0.09 * wide, hip), knee, ankle], [leg * 1.1, leg * 0.8, leg * 0.6], bottom)
+        kit.add(BALL, (ankle[0] + 0.06 * size, ankle[1], ankle[2] - 0.03 * size), (0.13 * size, 0.05 * size, 0.05 * size), material=shoe)
+        shoulder = at(0, side * 0.19 * wide, hip + 0.52)
+        if pose == "reach":
+            elbow, hand = at(0.2, side * 0.28, hip + 0.45 + rng.uniform(0, 0.4)), at(0.4, side * 0.25, hip + 0.5 + rng.uniform(0, 0.6))
+        else:
+            elbow = at(-side * stride * 0.3, side * (0.25 + rng.uniform(0, 0.1)), hip + 0.25)
+            hand = at(-side * stride * 0.6 + 0.05, side * 0.25, hip + rng.uniform(-0.02, 0.2))
+        kit.chain([shoulder, elbow, hand], [0.06 * size * wide, 0.05 * size, 0.04 * size], top)
+        kit.add(BALL, hand, (0.05 * size, 0.035 * size, 0.06 * size), material=skin)
+    kit.add(BALL, at(0, 0, hip + 0.3), (0.13 * size * wide, 0.2 * size * wide, 0.34 * size), material=top)
+    kit.add(BALL, at(0, 0, hip + 0.02), (0.13 * size * wide, 0.18 * size * wide, 0.15 * size), material=bottom)
+    if kit.chance(0.25):
+        kit.add(CYL, at(0, 0, hip - 0.15), (0.3 * size, 0.3 * size, 0.3 * size), (0.5, 1), material=bottom)
+    kit.between(at(0, 0, hip + 0.55), at(0.01, 0, hip + 0.7), 0.05 * size, material=skin)
+    kit.add(BALL, at(0.02, 0, hip + 0.77), (0.1 * size, 0.08 * size, 0.125 * size), material=skin)
+    kit.add(BALL, at(-0.015, 0, hip + 0.81), (0.105 * size, 0.09 * size, 0.105 * size), material=hair)
+    if kit.chance(0.3):
+        hat = kit.material()
+        kit.add(CYL, at(0, 0, hip + 0.88), (0.1 * size, 0.1 * size, 0.06 * size), (0.85, 1), material=hat)
+        kit.add(CYL, at(0.03, 0, hip + 0.83), (0.16 * size, 0.14 * size, 0.01 * size), material=hat)
+
+
+def person(kit):
+    """One person or two, some with a bag or a stool."""
+    rng = kit.rng
+    top, bottom = kit.material(), kit.material()
+    pose = rng.choice(["stand", "walk", "sit", "reach"])
+    person_body(kit, (0, 0, 0), 1.0, top, bottom, skin_material(kit), pose)
+    if pose == "sit":
+        kit.add(BOX, (-0.05, 0, 0.2), (0.25, 0.25, 0.2), material=kit.material())
+        if kit.chance(0.6):
+            kit.add(BOX, (-0.28, 0, 0.6), (0.03, 0.25, 0.4), material=kit.material())
+    if kit.chance(0.25):
+        kit.add(BOX, (-0.2, 0, 1.25), (0.1, 0.17, 0.25), material=kit.material())
+    if kit.chance(0.15):
+        person_body(kit, (0.1, 0.6, 0), rng.uniform(0.6, 1.05), kit.material(), kit.material(), skin_material(kit))
+
+
+def bust(kit):
+    """Head and shoulders, as portraits show them."""
+    rng = kit.rng
+    skin, cloth = skin_material(kit), kit.material()
+    hair = kit.material(base=paint(0.08, rng.uniform(0, 0.8), rng.uniform(0.02, 0.6)), pattern=1)
+    kit.add(BALL, (0, 0, 0.1), (0.28, 0.52, 0.42), material=cloth)
+    kit.add(BALL, (0, 0.36, 0.12), (0.2, 0.2, 0.24), material=cloth, mirror=True)
+    kit.between((0, 0, 0.35), (0.03, 0, 0.7), 0.13, material=skin)
+    kit.add(BALL, (0.05, 0, 0.9), (0.25, 0.2, 0.31), material=skin)
+    long = rng.uniform(0.26, 0.5)
+    kit.add(BALL, (-0.06, 0, 1.1 - long * 0.4), (0.26, 0.24, long), material=hair)
+    kit.add(BALL, (0.29, 0, 0.87), (0.06, 0.04, 0.07), material=skin)
+    dark = kit.material(dark=True, gloss=0.4)
+    kit.add(BALL, (0.24, 0.08, 0.96), (0.05, 0.045, 0.025), material=dark, mirror=True)
+    kit.add(BALL, (0.25, 0, 0.76), (0.05, 0.07, 0.02), material=kit.material(base=[0.45, 0.12, 0.1], pattern=0))
+    kit.add(BALL, (0.02, 0.2, 0.9), (0.05, 0.03, 0.08), material=skin, mirror=True)
+
+
+def quadruped(kit):
+    """Dogs, cats, horses, cows, giraffes, elephants and what lies between."""
+    rng = kit.rng
+    fur = fur_material(kit)
+    second = fur if kit.chance(0.5) else fur_material(kit)
+    long, tall = rng.uniform(0.5, 1.1), rng.uniform(0.35, 1.3)
+    fat = rng.uniform(0.2, 0.5)
+    leg = fat * rng.uniform(0.14, 0.4)
+    z = tall + fat * 0.7
+    kit.add(BALL, (0, 0, z), (long, fat * 0.85, fat), material=fur)
+    kit.add(BALL, (long * 0.6, 0, z + 0.03), (long * 0.4, fat * 0.85, fat * 1.02), material=fur)
+    kit.add(BALL, (-long * 0.6, 0, z + 0.02), (long * 0.4, fat * 0.88, fat * 1.05), material=fur)
+    lying = kit.chance(0.1)
+    stride = rng.uniform(-0.2, 0.2)
+    for x in (-0.65, 0.65):
+        for side in (-1, 1):
+            swing = side * stride * np.sign(x)
+            knee = (x * long + swing * 0.6, side * fat * 0.55, tall * 0.5)
+            foot = (x * long + swing, side * fat * 0.55, leg * 0.6)
+            if not lying:
+                kit.chain([(x * long, side * fat * 0.5, z), knee, foot], [leg * 1.4, leg, leg * 0.8], fur)
+    neck = rng.uniform(0.2, 1.2) * rng.choice([0.6, 1])
+    up = rng.uniform(20, 75)
+    start = np.array([long * 0.85, 0, z + fat * 0.3])
+    end = start + neck * np.array([np.cos(np.radians(up)), 0, np.sin(np.radians(up))])
+    kit.chain([start, end], [fat * 0.55, fat * 0.38], fur)
+    head = fat * rng.uniform(0.45, 0.8)
+    kit.add(BALL, end + [head * 0.3, 0, 0], (head * 1.1, head * 0.8, head * 0.8), material=fur)
+    snout = head * rng.uniform(0.5, 1.4)
+    kit.chain([end + [head * 0.6, 0, -head * 0.1], end + [head * 0.7 + snout, 0, -head * 0.45]], [head * 0.55, head * 0.36], second)
+    ear = head * rng.uniform(0.25, 0.9)
+    kit.add(BALL, end + [0, head * 0.65, head * 0.7], (ear * 0.25, ear * 0.5, ear), rotation=turn("x", -25), material=second, mirror=True)
+    dark = kit.material(dark=True, gloss=0.5)
+    kit.add(BALL, end + [head * 0.95, head * 0.5, head * 0.25], (head * 0.13,) * 3, material=dark, mirror=True)
+    if kit.chance(0.25):
+        kit.chain([end + [0, head * 0.4, head * 0.7], end + [0.1, head * 1.1, head * 1.5]], [head * 0.12, head * 0.05], dark, mirror=True)
+    tail = rng.uniform(0.2, 0.9)
+    kit.chain([(-long * 0.95, 0, z + fat * 0.4), (-long - tail * 0.6, 0, z + tail * rng.uniform(-1, 0.8))], [fat * 0.14, fat * 0.07], second)
+
+
+def bird(kit):
+    """Ducks, hens, pigeons, toys of their shape; some with wings spread."""
+    rng = kit.rng
+    body, wing = fur_material(kit), fur_material(kit)
+    beak = kit.material(base=[0.7, 0.4, 0.05], pattern=0)
+    long, fat = rng.uniform(0.4, 0.7), rng.uniform(0.25, 0.4)
+    leg = rng.uniform(0.0, 0.6)
+    z = leg + fat
+    kit.add(BALL, (0, 0, z), (long, fat, fat), rotation=turn("y", rng.uniform(-35, 5)), material=body)
+    neck = rng.uniform(0.1, 0.7)
+    head = (long * 0.8 + 0.1, 0, z + fat * 0.6 + neck)
+    kit.chain([(long * 0.6, 0, z + fat * 0.3), head], [fat * 0.5, fat * 0.35], body)
+    kit.add(BALL, head, (fat * 0.5, fat * 0.42, fat * 0.42), material=body)
+    kit.between(head, (head[0] + fat * rng.uniform(0.8, 1.4), 0, head[2] - 0.05), fat * 0.16, taper=0.2, material=beak)
+    kit.add(BALL, (head[0] + fat * 0.25, fat * 0.33, head[2] + 0.08), (0.035,) * 3, material=kit.material(dark=True), mirror=True)
+    if kit.chance(0.25):
+        kit.add(BOX, (0, long, z + fat * 0.4), (long * 0.5, 0.03, long * 0.9), (0.3, 1), rotation=turn("x", -75), material=wing, mirror=True)
+    else:
+        kit.add(BALL, (-long * 0.15, fat * 0.85, z + fat * 0.15), (long * 0.7, fat * 0.25, fat * 0.6), material=wing, mirror=True)
+    kit.add(BOX, (-long * 1.05, 0, z + fat * 0.2), (long * 0.4, fat * 0.5, 0.03), rotation=turn("y", rng.uniform(-10, 40)), material=wing)
+    if leg > 0.1:
+        kit.between((0, fat * 0.35, z - fat * 0.7), (0.05, fat * 0.4, 0), 0.03, material=beak, mirror=True)
+        kit.add(BOX, (0.1, fat * 0.4, 0.015), (0.12, 0.08, 0.015), material=beak, mirror=True)
