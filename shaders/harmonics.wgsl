@@ -27,3 +27,18 @@ fn shade(d: vec3<f32>, s: ptr<function, array<vec4<f32>, 12>>) -> vec3<f32> {
     c += -0.5900436 * x * (xx - 3.0 * yy) * (*s)[11].yzw;
     return c;
 }
+
+// How many of the twelve vec4 hold coefficients up to a degree.
+fn planes_of(degree: u32) -> u32 {
+    return (3u * (degree + 1u) * (degree + 1u) + 3u) / 4u;
+}
+
+// Coefficients above the degree that share a vec4 with those below count as 0.
+fn cut(s: ptr<function, array<vec4<f32>, 12>>, degree: u32) {
+    if (degree == 0u) {
+        (*s)[0].w = 0.0;
+    }
+    if (degree == 2u) {
+        (*s)[6].w = 0.0;
+    }
+}

@@ -35,5 +35,8 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     }
     workgroupBarrier();
     let blocks = (n + RADIX_BLOCK - 1u) / RADIX_BLOCK;
-    table[lane * blocks + group.x] = atomicLoad(&digits[lane]);
+    // A dispatch may be larger than the list.
+    if (group.x < blocks) {
+        table[lane * blocks + group.x] = atomicLoad(&digits[lane]);
+    }
 }

@@ -44,6 +44,10 @@ fn load(at: u32, n: u32) -> vec2<u32> {
 fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let n = counts[step.slot];
     let blocks = (n + RADIX_BLOCK - 1u) / RADIX_BLOCK;
+    // A dispatch may be larger than the list.
+    if (group.x >= blocks) {
+        return;
+    }
     let first = group.x * RADIX_BLOCK + lane;
     var pairs: array<vec2<u32>, 8>;
     for (var i = 0u; i < RADIX_ITEMS; i++) {

@@ -7,6 +7,7 @@ struct View {
     row0: vec4<f32>,
     row1: vec4<f32>,
     row2: vec4<f32>,
+    // Where it stands; w: the degree of harmonics that count.
     eye: vec4<f32>,
     // fx, fy, cx, cy in pixels.
     lens: vec4<f32>,

@@ -24,7 +24,7 @@ pub struct Chunk {
     pub core: Buffer,
     /// Twelve planes of vec4: coefficient k of the channels at floats 3k, 3k + 1, 3k + 2.
     pub harmonics: Buffer,
-    /// first, count.
+    /// first, count, stride of the planes.
     pub place: Buffer,
 }
 
@@ -32,7 +32,7 @@ pub struct Chunk {
 pub struct Scene {
     /// Different for every upload to a device, so that a plan knows its own scene.
     pub(super) id: u64,
-    pub(super) chunks: Vec<Chunk>,
+    pub(in crate::splat) chunks: Vec<Chunk>,
     pub(super) count: u32,
     /// Projected Gaussians that one binding holds: a whole number of chunks.
     pub(super) part: u32,
@@ -67,6 +67,31 @@ impl Scene {
         Ok(Scene { id: gpu.next_scene(), chunks, count: g.len() as u32, part: part.min(u32::MAX as u64) as u32 })
     }
 
+    /// Room for `capacity` Gaussians in one chunk, whose kernels are told on the GPU how many there are.
+    ///
+    /// Errors: environment, when a binding cannot hold so many.
+    pub(in crate::splat) fn room_for(gpu: &Gpu, capacity: u32) -> Result<Scene> {
+        let limit = gpu.adapter.largest_binding;
+        let most = Self::most_in_one_chunk(gpu);
+        if capacity > most {
+            return Err(Error::environment(gpu.adapter.name.clone())
+                .expected(format!("at most {most} Gaussians in training, from a binding limit of {limit} bytes"))
+                .found(format!("{capacity}"))
+                .advice("Choose --device cpu, or fewer Gaussians."));
+        }
+        let core = gpu.buffer("core", u64::from(capacity) * 48);
+        let harmonics = gpu.buffer("harmonics", u64::from(capacity) * HARMONICS);
+        let place = gpu.uniform(&[0, capacity, capacity, 0]);
+        let chunk = Chunk { first: 0, count: capacity, core, harmonics, place };
+        let part = (limit / SPLAT / 256 * 256).min(u32::MAX.into()) as u32;
+        Ok(Scene { id: gpu.next_scene(), chunks: vec![chunk], count: capacity, part })
+    }
+
+    /// Gaussians whose harmonics one binding holds and one dispatch reaches.
+    pub(in crate::splat) fn most_in_one_chunk(gpu: &Gpu) -> u32 {
+        (gpu.adapter.largest_binding / HARMONICS).min(u64::from(MOST_GROUPS) * 256) as u32
+    }
+
     pub fn len(&self) -> usize {
         self.count as usize
     }
@@ -99,6 +124,6 @@ fn upload(gpu: &Gpu, g: &Gaussians, first: usize, count: usize) -> Result<Chunk>
     for j in 0..12 {
         put(&harmonics, j, &|i| std::array::from_fn(|k| g.sh[i].as_flattened()[4 * j + k]))?;
     }
-    let place = gpu.uniform(&[first as u32, count as u32, 0, 0]);
+    let place = gpu.uniform(&[first as u32, count as u32, count as u32, 0]);
     Ok(Chunk { first: first as u32, count: count as u32, core, harmonics, place })
 }

@@ -43,8 +43,8 @@ pub struct Abilities {
 
 /// An opened, tested adapter.
 pub struct Gpu {
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
+    pub(in crate::splat) device: wgpu::Device,
+    pub(in crate::splat) queue: wgpu::Queue,
     pub adapter: Adapter,
     pub abilities: Abilities,
     /// Why an ability that the driver offers is not used: its self-test was refused or came out wrong.
@@ -254,7 +254,7 @@ impl Gpu {
     }
 
     /// A storage buffer that kernels and copies may read and write.
-    pub(super) fn buffer(&self, label: &str, bytes: u64) -> wgpu::Buffer {
+    pub(in crate::splat) fn buffer(&self, label: &str, bytes: u64) -> wgpu::Buffer {
         use wgpu::BufferUsages as U;
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
@@ -266,12 +266,12 @@ impl Gpu {
     }
 
     /// A small uniform buffer with its first contents.
-    pub(super) fn uniform<T: bytemuck::Pod>(&self, value: &T) -> wgpu::Buffer {
+    pub(in crate::splat) fn uniform<T: bytemuck::Pod>(&self, value: &T) -> wgpu::Buffer {
         use wgpu::BufferUsages as U;
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("uniform"),
             size: size_of::<T>() as u64,
-            usage: U::UNIFORM | U::COPY_DST,
+            usage: U::UNIFORM | U::STORAGE | U::COPY_DST | U::COPY_SRC,
             mapped_at_creation: false,
         });
         self.queue.write_buffer(&buffer, 0, bytemuck::bytes_of(value));

@@ -184,6 +184,7 @@ impl<'a> Renderer<'a> {
             band: rows.div_ceil(self.bands),
             depth: self.depth,
             subgroups: self.subgroups && self.gpu.abilities.subgroups,
+            training: false,
         }
     }
 

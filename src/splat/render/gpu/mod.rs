@@ -7,9 +7,9 @@
 mod buffers;
 mod device;
 mod forward;
-mod kernel;
-mod plan;
-mod sort;
+pub(in crate::splat) mod kernel;
+pub(in crate::splat) mod plan;
+pub(in crate::splat) mod sort;
 
 pub use buffers::Scene;
 pub use device::{Abilities, Adapter, Gpu, adapters};

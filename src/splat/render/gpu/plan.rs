@@ -39,7 +39,7 @@ impl View {
         let t = c.translation;
         View {
             rows: std::array::from_fn(|i| c.rotation.row(i).extend(t[i]).to_array()),
-            eye: c.position().extend(0.0).to_array(),
+            eye: c.position().extend(3.0).to_array(),
             lens: [c.fx, c.fy, c.cx, c.cy],
             limits: [-c.cx / c.fx - mx, (w - c.cx) / c.fx + mx, -c.cy / c.fy - my, (h - c.cy) / c.fy + my],
             background: [background[0], background[1], background[2], 0.0],
@@ -61,6 +61,7 @@ pub struct Kernels {
     scan_reduce: ComputePipeline,
     scan_blocks: ComputePipeline,
     ranges: ComputePipeline,
+    resolve: ComputePipeline,
     /// Emit and raster, compiled for what they were asked for so far.
     variants: Vec<(Variant, ComputePipeline, ComputePipeline)>,
 }
@@ -72,17 +73,19 @@ struct Variant {
     part: u32,
     depth: bool,
     subgroups: bool,
+    training: bool,
 }
 
 impl Kernels {
     pub fn new(gpu: &Gpu) -> Kernels {
         Kernels {
             radix: Radix::new(gpu),
-            project: compile(gpu, "project", sources!("view", "tiles", "harmonics", "project"), &[]),
+            project: compile(gpu, "project", sources!("view", "chunk", "geometry", "tiles", "harmonics", "project"), &[]),
             plan: compile(gpu, "plan", sources!("view", "blocks", "plan"), &[]),
             scan_reduce: compile(gpu, "scan_reduce", sources!("blocks", "scan_reduce"), &[]),
             scan_blocks: compile(gpu, "scan_blocks", sources!("blocks", "scan_blocks"), &[]),
             ranges: compile(gpu, "ranges", sources!("view", "blocks", "ranges"), &[]),
+            resolve: compile(gpu, "resolve", sources!("view", "blocks", "records", "resolve"), &[]),
             variants: Vec::new(),
         }
     }
@@ -92,7 +95,9 @@ impl Kernels {
             return (emit.clone(), raster.clone());
         }
         let parts = [("PARTS", wanted.parts as f64), ("PART", f64::from(wanted.part))];
-        let emit = compile(gpu, "emit", sources!("view", "tiles", "blocks", "splats", "emit"), &parts);
+        let starts = ("STARTS", f64::from(u8::from(wanted.training)));
+        let emit =
+            compile(gpu, "emit", sources!("view", "tiles", "blocks", "splats", "emit"), &[parts[0], parts[1], starts]);
         let (name, source) = if wanted.subgroups {
             ("raster_subgroup", sources!("view", "splats", "pixels", "finish", "raster_subgroup"))
         } else {
@@ -116,7 +121,26 @@ pub struct Shape {
     pub band: u32,
     pub depth: bool,
     pub subgroups: bool,
+    /// Keeps what the way back needs.
+    pub training: bool,
 }
+
+/// Lists that the way back needs.
+pub struct WayBack {
+    /// Tiles of each Gaussian, and the place where the first was emitted.
+    pub touched: Buffer,
+    pub starts: Buffer,
+    /// In the order of the tiles: whose each pair is, and where it was emitted.
+    pub gaussians: Buffer,
+    pub places: Buffer,
+    /// Nine sums a pair, by the place where it was emitted; shaders/records.wgsl.
+    pub records: Buffer,
+    /// Projected Gaussians.
+    pub splats: Vec<Buffer>,
+}
+
+/// Floats of a record.
+pub const RECORD: u64 = 9;
 
 pub struct Plan {
     pub shape: Shape,
@@ -127,6 +151,7 @@ pub struct Plan {
     pub ranges: Buffer,
     pub picture: Buffer,
     pub depths: Buffer,
+    pub way_back: Option<WayBack>,
     /// Bytes of all buffers but the scene's own.
     pub bytes: u64,
     project: Vec<Step>,
@@ -134,7 +159,7 @@ pub struct Plan {
     by_depth: Sort,
     pairs: Vec<Step>,
     by_tile: Sort,
-    ends: Step,
+    ends: Vec<Step>,
     raster: Step,
 }
 
@@ -168,6 +193,11 @@ impl Plan {
         let ranges = buffer("ranges", 8 * u64::from(band_tiles));
         let picture = buffer("picture", 16 * pixels);
         let depths = buffer("depth", if shape.depth { 8 * pixels } else { 8 });
+        let lists = shape.training.then(|| {
+            let [owners, gaussians] = ["owners", "pairs"].map(|l| buffer(l, 4 * room));
+            (owners, gaussians, buffer("records", 4 * RECORD * room))
+        });
+        let starts = buffer("starts", if shape.training { 4 * n } else { 4 });
         let view = gpu.uniform(&<View as bytemuck::Zeroable>::zeroed());
         // All Gaussians of the scene: what the first pass of the depth sort looks at.
         gpu.queue.write_buffer(&counts, 4 * ALL, &scene.count.to_le_bytes());
@@ -212,7 +242,13 @@ impl Plan {
         let sorted = sort::passes(bits) % 2;
         let (tiles, ids) = ([&tiles_a, &tiles_b], [&ids_a, &ids_b]);
         let (sorted_tiles, sorted_ids) = (tiles[sorted], ids[sorted]);
-        let variant = Variant { parts: parts.len(), part: scene.part, depth: shape.depth, subgroups: shape.subgroups };
+        let variant = Variant {
+            parts: parts.len(),
+            part: scene.part,
+            depth: shape.depth,
+            subgroups: shape.subgroups,
+            training: shape.training,
+        };
         let (emit, raster) = kernels.variant(gpu, variant);
         // Unused parts are bound to the first.
         let splats: Vec<&Buffer> = (0..PARTS).map(|p| parts.get(p).unwrap_or(&parts[0])).collect();
@@ -221,13 +257,15 @@ impl Plan {
             let groups = vec![group(gpu, &kernel, 0, bindings), group(gpu, &kernel, 1, &splats)];
             Step { kernel, groups, size }
         };
+        // In training the sort carries places, and whose they are stands aside.
+        let owners = lists.as_ref().map_or(&ids_a, |l| &l.0);
         let reduce = [&counts, order, &touched, &block_sums].map(Whole);
         let pairs = vec![
             step(&kernels.scan_reduce, &reduce, indirect(1)),
             step(&kernels.scan_blocks, &[&counts, &block_sums].map(Whole), Size::Direct(1, 1)),
             with_splats(
                 emit,
-                &[&view, &counts, order, &touched, &block_sums, &tiles_a, &ids_a].map(Whole),
+                &[&view, &counts, order, &touched, &block_sums, &tiles_a, owners, &starts].map(Whole),
                 indirect(1),
             ),
         ];
@@ -242,12 +280,26 @@ impl Plan {
                 table: &table,
                 digits: &digits,
                 bits,
-                first: None,
+                first: lists.as_ref().map(|_| First { slot: 4, size: indirect(2) }),
             },
         );
-        let ends = step(&kernels.ranges, &[&view, &counts, sorted_tiles, &ranges].map(Whole), indirect(3));
-        let bindings = [&view, &ranges, sorted_ids, &picture, &depths].map(Whole);
+        let mut ends = vec![step(&kernels.ranges, &[&view, &counts, sorted_tiles, &ranges].map(Whole), indirect(3))];
+        let mut drawn = sorted_ids;
+        if let Some((owners, gaussians, records)) = &lists {
+            let bindings = [&view, &counts, sorted_tiles, sorted_ids, owners, gaussians, records].map(Whole);
+            ends.push(step(&kernels.resolve, &bindings, indirect(3)));
+            drawn = gaussians;
+        }
+        let bindings = [&view, &ranges, drawn, &picture, &depths].map(Whole);
         let raster = with_splats(raster, &bindings, Size::Direct(tiles_x, shape.band));
+        let way_back = lists.map(|(_, gaussians, records)| WayBack {
+            touched: touched.clone(),
+            starts,
+            gaussians,
+            places: sorted_ids.clone(),
+            records,
+            splats: parts.clone(),
+        });
         Plan {
             shape,
             scene: scene.id,
@@ -256,6 +308,7 @@ impl Plan {
             ranges,
             picture,
             depths,
+            way_back,
             bytes,
             project,
             plan,
@@ -277,7 +330,7 @@ impl Plan {
             1 => self.by_depth.record(pass),
             2 => self.pairs.iter().for_each(|s| s.record(pass)),
             3 => self.by_tile.record(pass),
-            4 => self.ends.record(pass),
+            4 => self.ends.iter().for_each(|s| s.record(pass)),
             _ => self.raster.record(pass),
         }
     }
