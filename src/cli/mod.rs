@@ -75,7 +75,8 @@ pub fn main() -> ExitCode {
     let command = match &cli.verb {
         Verb::Geo(_) => Some("orb geo"),
         Verb::Render(_) => Some("orb render"),
-        Verb::Bench(_) | Verb::Audit(_) => None,
+        Verb::Models(_) => Some("orb models"),
+        Verb::Bench(_) | Verb::Doctor(_) | Verb::Audit(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),

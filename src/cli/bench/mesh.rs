@@ -11,6 +11,7 @@ use crate::models::Rten;
 use crate::photo;
 use crate::pipeline::{self, Settings};
 use crate::progress::Progress;
+use crate::sources::Sources;
 use crate::splat::{self, Camera, Gaussians};
 use crate::symmetry::Use;
 use crate::{Error, Result, views};
@@ -81,7 +82,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         levels: 4,
         symmetry: Use::from(args.symmetry),
     };
-    let done = pipeline::reconstruct(&photo, &Rten, &settings, progress)?;
+    let done = pipeline::reconstruct(&photo, &Rten, &Sources::default(), &settings, progress)?;
     let finest = &done.model.levels[0];
     let own = Surface { positions: finest.mesh.positions.clone(), triangles: finest.mesh.triangles.clone() };
     let shape = Shape::of_surface(&own);

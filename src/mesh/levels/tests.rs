@@ -193,7 +193,7 @@ fn lattices_fit_small_caps() {
 #[test]
 fn poor_input_is_an_error_or_a_model_and_never_a_panic() {
     let options = Options { levels: 2, ..quick() };
-    let error = build(&|c| scenes::empty().render(c), None, &options, &Silent).unwrap_err();
+    let error = build(&|c| scenes::empty().render(c), &[], &options, &Silent).unwrap_err();
     assert!(error.to_string().contains("subject"), "{error}");
     for scene in [scenes::sphere(0.03), scenes::sphere(0.005), scenes::boxed(0.7, 0.7, 0.0005), scenes::sphere(1.05)] {
         match build(&|c| scene.render(c), &[], &options, &Silent) {
