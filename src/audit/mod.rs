@@ -14,6 +14,7 @@ pub mod dsse;
 pub mod events;
 pub mod evidence;
 pub mod inband;
+pub mod interchange;
 pub mod keys;
 pub mod ledger;
 pub mod ledger_check;

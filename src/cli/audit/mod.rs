@@ -1,5 +1,6 @@
 //! `orb audit`: verify a published folder, show its record, make a key, look after the ledger.
 
+mod export;
 mod ledger;
 mod report;
 
@@ -34,6 +35,8 @@ pub enum AuditVerb {
     Ledger(ledger::LedgerArgs),
     /// Write what a verification found, for a compliance officer
     Report(report::ReportArgs),
+    /// Write a verified record for another system: OSCAL, SLSA, Civium
+    Export(export::ExportArgs),
     /// List the kinds of events that are recorded, and the records of the ledger
     Events(EventsArgs),
 }
@@ -105,6 +108,7 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Show(args) => show(args, data),
         AuditVerb::Keygen(args) => keygen(args, data),
         AuditVerb::Report(args) => report::run(args, data),
+        AuditVerb::Export(args) => export::run(args, data),
         AuditVerb::Events(args) => list_events(args, data),
         AuditVerb::Ledger(args) => ledger::run(args, data),
     }

@@ -80,3 +80,63 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
     new_file(&args.output, text.as_bytes())?;
     Ok(Outcome { text: format!("{}\n", args.output.display()), exit_code: report.exit_code })
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::super::export::{self, ExportArgs};
+    use super::*;
+    use crate::audit::publication::tests::publish;
+
+    #[derive(Parser)]
+    struct Report {
+        #[command(flatten)]
+        args: ReportArgs,
+    }
+
+    #[derive(Parser)]
+    struct Export {
+        #[command(flatten)]
+        args: ExportArgs,
+    }
+
+    #[test]
+    fn a_folder_and_a_ledger_as_documents_and_exports() {
+        let dir = tempfile::tempdir().unwrap();
+        publish(dir.path());
+        let data = DataFolder::at(dir.path().join("data"));
+        let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+        let (out, key) = (path("out"), path("out/orb-record.pub.pem"));
+        let report = |file: &str, more: &[&str]| {
+            let file = path(file);
+            let words = [&["report", "-o", &file, "--trust-key", &key], more].concat();
+            run(&Report::try_parse_from(words).unwrap().args, &data)
+                .map(|done| (done, std::fs::read_to_string(file).unwrap()))
+        };
+        let as_of = ["--as-of", "2026-01-01T00:00:00.000Z"];
+        let (done, html) = report("a.html", &[&[out.as_str()], &as_of[..]].concat()).unwrap();
+        assert!(done.exit_code == 0 && html.contains("Verify again, without Orb"), "{}", done.text);
+        let (_, again) = report("b.html", &[&[out.as_str()], &as_of[..]].concat()).unwrap();
+        assert_eq!(html, again);
+        let (done, text) = report("ledger.md", &["--format", "markdown"]).unwrap();
+        assert!(done.exit_code == 0 && text.contains("1 records verified"), "{text}");
+        assert_eq!(report("a.html", &[&out]).unwrap_err().expected, "a new file");
+        assert_eq!(report("c.html", &["--as-of", "today"]).unwrap_err().kind, crate::Kind::Usage);
+
+        let export = |system: &str| {
+            let file = path(&format!("{system}.json"));
+            let words = ["export", &out, "--for", system, "-o", &file, "--trust-key", &key];
+            let done = export::run(&Export::try_parse_from(words).unwrap().args, &data).unwrap();
+            (done.exit_code, std::fs::read_to_string(file).ok())
+        };
+        for system in ["oscal", "slsa", "civium"] {
+            let (code, text) = export(system);
+            assert_eq!(code, 0);
+            serde_json::from_str::<serde_json::Value>(&text.unwrap()).unwrap();
+            std::fs::remove_file(path(&format!("{system}.json"))).unwrap();
+        }
+        std::fs::write(dir.path().join("out/scene.ply"), "changed").unwrap();
+        assert_eq!(export("oscal"), (1, None), "nothing is exported that does not verify");
+    }
+}
