@@ -8,7 +8,7 @@ use crate::mesh::{self, Model};
 use crate::models::scene::{self, Subject};
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
-use crate::photo::Photo;
+use crate::photo::{Photo, Plane};
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
@@ -97,7 +97,7 @@ pub fn reconstruct(
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
-    let depth = sources.depth(photo, &subject, &mut outcome)?;
+    let mut depth = sources.depth(photo, &subject, &mut outcome)?;
     if depth.is_some() {
         clock.lap("depth");
     }
@@ -105,8 +105,12 @@ pub fn reconstruct(
 
     progress.begin("3D from one view", 0);
     let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
-    if let Some(depth) = depth {
-        outcome.depth_fit = sources::fit_depth(&mut one_view, &mut subject, depth);
+    let mut improve = |one_view: &mut OneView, depth: Option<Plane>| {
+        depth.and_then(|plane| sources::fit_depth(one_view, &mut subject, plane))
+    };
+    // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
+    if sources.views_are_the_priors() {
+        outcome.depth_fit = improve(&mut one_view, depth.take());
     }
     clock.lap("3D from one view");
     progress.check()?;
@@ -123,12 +127,13 @@ pub fn reconstruct(
     progress.check()?;
 
     progress.begin("six views", 6);
-    let six = match sources.six_views(&mut one_view, &mut outcome, progress)? {
+    let six = match sources.six_views(&mut one_view, settings.seed, &mut outcome, progress)? {
         Some(given) => views::tile::framed(&given, GREY),
         None => render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?,
     };
     // Views between the six are the prior's own; where others draw the six there is nothing to hold back.
-    let between = match outcome.views_are_the_priors() {
+    outcome.depth_fit = outcome.depth_fit.or(improve(&mut one_view, depth));
+    let between = match sources.views_are_the_priors() {
         true => render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?,
         false => Vec::new(),
     };

@@ -21,7 +21,7 @@ fn centre(i: usize) -> Vec3 {
 }
 
 /// Pixel of a point, where it is in the picture.
-pub fn pixel(camera: &Camera, p: Vec3) -> Option<usize> {
+fn pixel(camera: &Camera, p: Vec3) -> Option<usize> {
     let q = camera.rotation * p + camera.translation;
     let (x, y) = (camera.fx * q.x / q.z + camera.cx, camera.fy * q.y / q.z + camera.cy);
     let inside = q.z > 0.0 && x >= 0.0 && y >= 0.0 && x < camera.width as f32 && y < camera.height as f32;
