@@ -28,7 +28,10 @@ impl Machine {
     fn orb(&self, args: &[&str], more: &[PathBuf]) -> Output {
         let mut c = Command::new(env!("CARGO_BIN_EXE_orb"));
         c.args(args).args(more).env("ORB_DATA_DIR", self.path("data")).current_dir(self.0.path());
-        c.env_remove("ORB_MODELS_DIR").env_remove("VIRTUAL_ENV").env_remove("CONDA_PREFIX");
+        c.env_remove("ORB_MODELS_DIR")
+            .env_remove("ORT_DYLIB_PATH")
+            .env_remove("VIRTUAL_ENV")
+            .env_remove("CONDA_PREFIX");
         c.output().unwrap()
     }
 
@@ -212,7 +215,7 @@ fn six_views_that_a_network_draws_badly_are_refused() {
     let (photo, out) = (root().join("tests/data/container.jpg"), m.path("out"));
     let run = |more: &[&str]| {
         let args = ["geo", "--origin", "1,2,3", "--iterations", "4", "--lods", "1", "--engine", "rten", "-o"];
-        m.orb(&[&args, &[out.to_str().unwrap()], more].concat(), std::slice::from_ref(&photo))
+        m.orb(&[&args[..], &[out.to_str().unwrap()], more].concat(), std::slice::from_ref(&photo))
     };
     // On the CPU it is used only when it is named. The stubs draw no subject, and that is noticed.
     let done = run(&["--networks", "zero123pp-v1.2", "--diffusion-steps", "2"]);

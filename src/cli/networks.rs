@@ -132,7 +132,9 @@ pub fn choose(
         Some(m) if !taken => registry.verified(&m).map(Some),
         _ => Ok(None),
     };
-    let mask = wanted(picked.mask, given_mask.is_some())?;
+    // A photo that is cut out says where its subject is; a network is asked all the same where the user points.
+    let cut_out = photo.cutout.is_some() && !prompted && !picked.named;
+    let mask = wanted(picked.mask, given_mask.is_some() || cut_out)?;
     let depth = wanted(picked.depth, false)?;
     let mut views = wanted(picked.views, given_views.is_some())?;
     let insists = args.engine.engine == Choice::Ort || args.engine.provider != Provider::Auto;
