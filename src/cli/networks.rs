@@ -13,6 +13,7 @@ use crate::models::sam;
 use crate::models::zero123::{self, cache::Cache};
 use crate::photo::{self, Photo};
 use crate::sources::{self, Mask, Sources, Views};
+use crate::views::tile;
 use crate::{Error, Result};
 
 /// How imported networks are run: the same wherever some are.
@@ -114,7 +115,12 @@ pub fn choose(
         None => None,
     };
     let given_views = match &args.views {
-        Some(path) => Some(sources::tile_from(&read(path, "six-views")?)),
+        Some(path) => {
+            let tile = sources::tile_from(&read(path, "six-views")?);
+            // What is wrong with it is said before the work.
+            tile::cut(&tile)?;
+            Some(tile)
+        }
         None => None,
     };
     let prompt = prompt(args)?.on(size.0, size.1)?;

@@ -211,8 +211,8 @@ fn networks(s: &Summary) -> String {
         };
         let degrees = pose.elevation.to_degrees();
         words.push(format!(
-            "six views{from}, photo at {degrees:.0}° above them, silhouettes {:.0}% alike",
-            pose.iou * 100.0
+            "six views{from}, the photo's camera {degrees:.0}° above the horizon, silhouettes consistent to {:.0}%",
+            50.0 * (pose.filled + pose.kept)
         ));
     }
     words.join("; ")

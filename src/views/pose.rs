@@ -1,121 +1,76 @@
-//! Where the photo was taken from, found by what six views allow: elevation, zoom and shift that show the photo again.
+//! The photo among six views that others drew: a body that fits all seven, and the camera that took the photo.
 
+use super::consistency;
+use super::hull::{Hull, pixel};
+use super::six_views;
 use super::tile::View;
-use super::{hull, six_views};
-use crate::models::align::fit_intrinsics;
-use crate::models::splat_prior::{OneView, canonical_camera};
+use crate::models::splat_prior::OneView;
 use crate::progress::Progress;
 use crate::splat::{self, Camera, Gaussians, Target};
 use crate::{Error, Result};
 
-/// Degrees that are searched, and the first step.
-const RANGE: (f32, f32) = (-20.0, 60.0);
-const STEP: f32 = 8.0;
-/// Side of the pictures that are compared.
-const GRID: u32 = 96;
-/// Steps of the fit to the six views.
+/// Steps of the fit to the views.
 const FITTING: usize = 150;
-/// Weight of the colours beside the silhouette.
-const COLOUR: f32 = 0.7;
 
-/// What the search found.
+/// What was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// Radians above the horizon.
+    /// Of the photo's camera, radians above the horizon.
     pub elevation: f32,
-    /// Of the hull's silhouette and the photo's mask.
-    pub iou: f32,
+    /// Share of the photo's silhouette that a body of the six views fills.
+    pub filled: f32,
+    /// Share of the six silhouettes that this body, cut to the photo's, still fills.
+    pub kept: f32,
 }
 
-/// Brings the prior into the frame of the six views: a model fitted to them takes its Gaussians' place, and the camera that shows
-/// the photo's mask and colours on that model takes its camera's.
+/// Brings the prior into the frame of the six views: a model fitted to them takes its Gaussians' place, and the camera from
+/// which the photo's silhouette is consistent with theirs takes its camera's.
 ///
 /// # Errors
 /// A usage error when the six views show no common body, `Cancelled`.
 pub fn settle(view: &mut OneView, views: &[View], seed: u64, progress: &dyn Progress) -> Result<Found> {
-    let hull = hull::hull(views);
-    if hull.len() < 200 {
+    let hull = Hull::of(views);
+    let consistent = consistency::find(&hull, &view.mask, view.elevation).filter(|c| c.filled > 0.3 && c.kept > 0.3);
+    let Some(c) = consistent else {
         return Err(Error::usage("six views")
-            .expected("six views of one subject")
-            .found("silhouettes that have no body in common")
+            .expected("six views of the photo's subject")
+            .found("silhouettes that have no body in common with the photo's")
             .advice("Views must stand at azimuths 30°, 90°, … 330° and elevations 20°, −10°, … (Zero123++ v1.2)."));
-    }
-    let body = fitted(hull, views, seed, progress)?;
-    let (camera, found) = photo_camera(view, &body);
-    view.camera = camera;
-    view.elevation = found.elevation;
-    view.silhouette_iou = found.iou;
-    view.gaussians = body;
-    Ok(found)
+    };
+    // The photo's silhouette carves too, with a pixel to spare.
+    let seen = crate::models::region::dilated(view.mask.width, view.mask.height, 2, |i| view.mask.data[i] > 0.5);
+    let carved = hull.carved(|p| pixel(&c.camera, p).is_none_or(|(x, y)| seen[y * view.mask.width + x]));
+    view.camera = c.camera;
+    view.elevation = c.elevation;
+    view.silhouette_iou = c.filled;
+    view.gaussians = fitted(carved.surface(views), view, views, seed, progress)?;
+    Ok(Found { elevation: c.elevation, filled: c.filled, kept: c.kept })
 }
 
-/// The hull is wider than the body between the views: a short optimisation on the views takes off what their colours contradict.
-fn fitted(hull: Gaussians, views: &[View], seed: u64, progress: &dyn Progress) -> Result<Gaussians> {
+/// A short optimisation on the six views and the photo takes off what their colours contradict.
+fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress: &dyn Progress) -> Result<Gaussians> {
     let size = views.first().map_or(1, |v| v.alpha.width as u32);
-    let target = |(i, (camera, view)): (usize, (Camera, &View))| Target {
+    let target = |camera: Camera, colour: &[[f32; 3]], alpha: &[f32], name: String| Target {
         camera,
-        color: view.colour.clone(),
-        alpha: view.alpha.data.clone(),
+        color: colour.to_vec(),
+        alpha: alpha.to_vec(),
         weight: 1.0,
         refine_pose: false,
         held_back: None,
-        name: format!("view {}", i + 1),
+        name,
     };
-    let targets: Vec<Target> = six_views(size).into_iter().zip(views).enumerate().map(target).collect();
-    let options = splat::Options { seed, ..splat::Options::scaled(FITTING) };
-    Ok(splat::train(hull, &targets, &options, progress)?.gaussians.pruned(0.02))
-}
-
-/// A coarse search over the elevation, then halved steps around the best.
-fn photo_camera(view: &OneView, body: &Gaussians) -> (Camera, Found) {
-    let size = view.camera.width;
-    let (photo, mask) = shrunk(view);
-    let judge = |degrees: f32| {
-        let start = canonical_camera(degrees.to_radians(), size);
-        let (camera, iou) = fit_intrinsics(body, &start, &view.mask);
-        let seen = splat::render(body, &camera.resized(GRID, GRID), [0.0; 3]);
-        let (mut sum, mut n) = (0.0, 0.0);
-        for ((c, &a), (p, &m)) in seen.color.iter().zip(&seen.alpha).zip(photo.iter().zip(&mask)) {
-            if a > 0.5 && m > 0.5 {
-                sum += (0..3).map(|k| (c[k] / a - p[k]).abs()).sum::<f32>() / 3.0;
-                n += 1.0;
-            }
-        }
-        let colour = if n > 0.0 { sum / n } else { 1.0 };
-        ((1.0 - iou) + COLOUR * colour, camera, iou)
-    };
-    let mut best = (RANGE.0, judge(RANGE.0));
-    let consider = |degrees: f32, best: &mut (f32, (f32, Camera, f32))| {
-        if (RANGE.0..=RANGE.1).contains(&degrees) {
-            let judged = judge(degrees);
-            if judged.0 < best.1.0 {
-                *best = (degrees, judged);
-            }
-        }
-    };
-    let steps = ((RANGE.1 - RANGE.0) / STEP) as usize;
-    (1..=steps).for_each(|i| consider(RANGE.0 + STEP * i as f32, &mut best));
-    let mut step = STEP / 2.0;
-    while step >= 1.0 {
-        let around = best.0;
-        consider(around - step, &mut best);
-        consider(around + step, &mut best);
-        step /= 2.0;
+    let mut targets = vec![target(photo.camera, &photo.colour, &photo.mask.data, "photo".into())];
+    for (i, (camera, view)) in six_views(size).into_iter().zip(views).enumerate() {
+        targets.push(target(camera, &view.colour, &view.alpha.data, format!("view {}", i + 1)));
     }
-    let (degrees, (_, camera, iou)) = best;
-    (camera, Found { elevation: degrees.to_radians(), iou })
-}
-
-/// The photo's crop at the grid's size.
-fn shrunk(view: &OneView) -> (Vec<[f32; 3]>, Vec<f32>) {
-    let (from, to) = (view.mask.width, GRID as usize);
-    let at = |i: usize| ((i / to * 2 + 1) * from / (2 * to)) * from + (i % to * 2 + 1) * from / (2 * to);
-    (0..to * to).map(|i| (view.colour[at(i)], view.mask.data[at(i)])).unzip()
+    let options = splat::Options { seed, ..splat::Options::scaled(FITTING) };
+    Ok(splat::train(start, &targets, &options, progress)?.gaussians.pruned(0.02))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::splat_prior::canonical_camera;
     use crate::photo::{Plane, Rect};
     use crate::progress::Silent;
     use crate::views::tile;
@@ -197,7 +152,7 @@ mod tests {
     #[test]
     fn the_hull_holds_the_body_and_shows_its_silhouettes() {
         let (g, views) = (truck(), views_of(&truck()));
-        let body = hull::hull(&views);
+        let body = Hull::of(&views).surface(&views);
         let corner = |g: &Gaussians, pick: fn(Vec3, Vec3) -> Vec3| g.positions.iter().copied().reduce(pick).unwrap();
         assert!((corner(&body, Vec3::min) - corner(&g, Vec3::min)).max_element() < 0.05);
         assert!((corner(&g, Vec3::max) - corner(&body, Vec3::max)).max_element() < 0.05);
@@ -219,7 +174,7 @@ mod tests {
                 "{degrees}: {}",
                 found.elevation.to_degrees()
             );
-            assert!(found.iou > 0.8 && view.elevation == found.elevation, "{found:?}");
+            assert!(found.filled > 0.9 && found.kept > 0.9 && view.elevation == found.elevation, "{found:?}");
             for (camera, seen) in six_views(320).iter().zip(&views) {
                 let share = alike(&crate::models::align::silhouette(&view.gaussians, camera), &seen.alpha.data);
                 assert!(share > 0.9, "{share}");
