@@ -116,7 +116,9 @@ pub fn reconstruct(
     progress.check()?;
 
     let seen = symmetry::Seen { camera: one_view.camera, color: &one_view.colour, mask: &one_view.mask.data };
-    let fit = if settings.symmetry == Use::Off { None } else { symmetry::find(&one_view.gaussians, &seen) };
+    // Views drawn by others show the far side themselves, and stand in another frame than the prior.
+    let guessed = settings.symmetry != Use::Off && sources.views_are_the_priors();
+    let fit = if !guessed { None } else { symmetry::find(&one_view.gaussians, &seen) };
     let applied = fit.filter(|f| settings.symmetry == Use::On || f.convinces());
     let mirrored = applied.map(|f| symmetry::mirrored_photo(&one_view.gaussians, &seen, &f.plane));
     let completed = applied.map(|f| symmetry::complete(&one_view.gaussians, &seen, &f.plane));

@@ -15,7 +15,7 @@ use crate::photo::Plane;
 use crate::splat::Camera;
 
 /// Side of the six pictures that are compared, and of the photo's; a cell of the hull covers a pixel of either.
-const SIX: usize = 64;
+const SIX: usize = 48;
 const PHOTO: usize = 48;
 /// Degrees that are searched.
 const RANGE: (f32, f32) = (-20.0, 60.0);

@@ -177,7 +177,7 @@ mod tests {
             assert!(found.filled > 0.9 && found.kept > 0.9 && view.elevation == found.elevation, "{found:?}");
             for (camera, seen) in six_views(320).iter().zip(&views) {
                 let share = alike(&crate::models::align::silhouette(&view.gaussians, camera), &seen.alpha.data);
-                assert!(share > 0.9, "{share}");
+                assert!(share > 0.85, "{share}");
             }
         }
     }
