@@ -32,10 +32,14 @@ impl ToMetres {
         g.transformed(Mat3::IDENTITY, self.scale, -self.scale * self.base)
     }
 
+    /// One point, metres.
+    pub fn point(&self, p: Vec3) -> [f64; 3] {
+        ((p - self.base).as_dvec3() * f64::from(self.scale)).to_array()
+    }
+
     fn mesh(&self, m: &mesh::Mesh) -> orb_formats::Mesh {
-        let place = |p: &Vec3| ((*p - self.base).as_dvec3() * f64::from(self.scale)).to_array();
         orb_formats::Mesh {
-            positions: m.positions.iter().map(place).collect(),
+            positions: m.positions.iter().map(|p| self.point(*p)).collect(),
             normals: m.normals.iter().map(|n| n.to_array()).collect(),
             uvs: m.uvs.iter().map(|t| t.to_array()).collect(),
             triangles: m.triangles.clone(),

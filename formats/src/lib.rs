@@ -7,6 +7,7 @@ pub mod mesh;
 pub mod openflight;
 pub mod ply;
 pub mod sgi;
+pub mod xml;
 
 pub use mesh::Mesh;
 pub use sgi::Image;
