@@ -36,7 +36,7 @@ fn solid() -> Level {
         }
     }
     let texture = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([(x * 30) as u8, (y * 30) as u8, 90]));
-    Level { mesh, texture, error: 0.0, error_to_coarser: 1.2, seen: 1.0 }
+    Level { mesh, texture, error: 0.0, error_to_coarser: 1.2, seen: 1.0, mirrored: 0.0 }
 }
 
 /// The eight corners in the subject frame, metres: the origin lies under the middle of the box.
@@ -285,5 +285,63 @@ fn sidecars_corners() {
             let Some(said) = ask("xmllint", &["--noout", &file(name)], "") else { return };
             assert_eq!(said, "", "{name}");
         }
+    }
+}
+
+/// Vertices of a COLLADA model by assimp, which turns Z up to Y up for OBJ.
+fn vertices_by_assimp(dae: &Path) -> Option<Vec<[f64; 3]>> {
+    let obj = dae.with_extension("obj");
+    let said = ask("assimp", &["export", dae.to_str().unwrap(), obj.to_str().unwrap()], "")?;
+    let text = std::fs::read_to_string(&obj).unwrap_or_else(|e| panic!("assimp: {e}: {said}"));
+    let rows = text.lines().filter_map(|l| l.strip_prefix("v ")).map(numbers);
+    let mut all: Vec<[f64; 3]> = Vec::new();
+    for v in rows {
+        let p = [v[0], -v[2], v[1]];
+        if !all.iter().any(|q| (0..3).all(|i| (p[i] - q[i]).abs() < 1e-4)) {
+            all.push(p);
+        }
+    }
+    Some(all)
+}
+
+#[test]
+fn google_earth_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let georeference = Georeference {
+            name: "box".into(),
+            banner: "UNCLASSIFIED".into(),
+            utc: labels().utc,
+            placement,
+            uncertainty: Uncertainty::default(),
+            footprint: footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement),
+            size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
+            lineage: vec![],
+            assets: vec![],
+        };
+        let document = sidecar::kml_with_model(&georeference, "models/box.dae");
+        let packed = export::kmz(&level, &to_metres, &document, &labels()).unwrap();
+        write(dir.path(), &[packed]);
+        let archive = dir.path().join("box.kmz");
+        if ask("unzip", &["-oq", archive.to_str().unwrap(), "-d", dir.path().to_str().unwrap()], "").is_none() {
+            return;
+        }
+        let Some(read) = vertices_by_assimp(&dir.path().join("models/box.dae")) else { return };
+        // Readers of KML take the model's X east, Y north, Z up and turn it clockwise by the heading.
+        let kml = std::fs::read_to_string(dir.path().join("doc.kml")).unwrap();
+        let value = |name: &str| -> f64 {
+            let model = &kml[kml.find("<Model>").unwrap()..];
+            let text = model.split(&format!("<{name}>")).nth(1).unwrap().split('<').next().unwrap();
+            text.parse().unwrap()
+        };
+        let (sin, cos) = value("heading").to_radians().sin_cos();
+        let turned: Vec<[f64; 3]> =
+            read.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
+        let (lat, lon) = (value("latitude"), value("longitude"));
+        let height = value("altitude") + orb::geo::geoid::undulation(lat, lon);
+        let Some(ecef) = ecef_by_cartconvert((lat, lon, height), &turned) else { return };
+        same_corners("KMZ", &placement, &ecef);
     }
 }

@@ -3,6 +3,8 @@
 //! Writers return bytes or [`File`]s; nothing here touches a disk.
 
 pub mod cdb;
+pub mod collada;
+pub mod kmz;
 pub mod mesh;
 pub mod openflight;
 pub mod ply;

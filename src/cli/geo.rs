@@ -38,6 +38,8 @@ pub enum Format {
     Cdb,
     /// OpenFlight 16.0, all levels in one file.
     Flt,
+    /// The finest level for Google Earth: KML with a COLLADA model.
+    Kmz,
     /// Gaussians, always written.
     Ply,
 }
@@ -343,7 +345,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
-    sidecars::publish(&mut run.publication, &plan.stem, plan.marking, &labels.utc, &placed, &done)?;
+    sidecars::publish(&mut run.publication, &labels, &placed, &done, args.format.contains(&Format::Kmz))?;
     bar.check()?;
 
     let published = run.seal(Evidence {

@@ -1,6 +1,6 @@
 //! Metadata with security constraints: ISO 19115:2003 in the XML of ISO/TS 19139:2007, which catalogues and GIS read.
 
-use orb_formats::xml::escape;
+use orb_formats::xml::{comment, escape};
 
 use super::{Georeference, bounds};
 
@@ -65,7 +65,7 @@ pub(super) fn write(g: &Georeference) -> String {
         g.size[0], g.size[1], g.size[2], g.placement.heading
     );
     format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {marking} -->\n<gmd:MD_Metadata xmlns:gmd=\"http://www.isotc211.org/2005/gmd\" \
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{marking}\n<gmd:MD_Metadata xmlns:gmd=\"http://www.isotc211.org/2005/gmd\" \
          xmlns:gco=\"http://www.isotc211.org/2005/gco\" xmlns:gml=\"http://www.opengis.net/gml\" \
          xmlns:xlink=\"http://www.w3.org/1999/xlink\"><gmd:fileIdentifier>{id}</gmd:fileIdentifier>\
          <gmd:language>{language}</gmd:language><gmd:characterSet>{charset}</gmd:characterSet>\
@@ -90,7 +90,7 @@ pub(super) fn write(g: &Georeference) -> String {
          <gmd:dataQualityInfo><gmd:DQ_DataQuality><gmd:scope><gmd:DQ_Scope><gmd:level>{level}</gmd:level></gmd:DQ_Scope></gmd:scope>\
          {quality}<gmd:lineage><gmd:LI_Lineage><gmd:statement>{lineage}</gmd:statement></gmd:LI_Lineage></gmd:lineage>\
          </gmd:DQ_DataQuality></gmd:dataQualityInfo></gmd:MD_Metadata>\n",
-        marking = escape(&g.banner).replace("--", "- -"),
+        marking = comment(&format!("CLASSIFICATION: {}", g.banner)),
         id = text(&g.name),
         language = "<gmd:LanguageCode codeList=\"http://www.loc.gov/standards/iso639-2/\" codeListValue=\"eng\">eng</gmd:LanguageCode>",
         charset = code("MD_CharacterSetCode", "utf8"),

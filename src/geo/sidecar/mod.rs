@@ -70,6 +70,11 @@ pub fn all(g: &Georeference) -> Vec<Sidecar> {
     out
 }
 
+/// The document of a KMZ that shows the model at `path` inside it.
+pub fn kml_with_model(g: &Georeference, path: &str) -> String {
+    kml::with_model(g, path)
+}
+
 /// Pretty JSON with a final newline; keys in alphabetical order, as `serde_json` keeps them.
 fn pretty(value: &serde_json::Value) -> String {
     format!("{value:#}\n")
