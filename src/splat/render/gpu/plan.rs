@@ -80,7 +80,12 @@ impl Kernels {
     pub fn new(gpu: &Gpu) -> Kernels {
         Kernels {
             radix: Radix::new(gpu),
-            project: compile(gpu, "project", sources!("view", "chunk", "geometry", "tiles", "harmonics", "project"), &[]),
+            project: compile(
+                gpu,
+                "project",
+                sources!("view", "chunk", "geometry", "tiles", "harmonics", "project"),
+                &[],
+            ),
             plan: compile(gpu, "plan", sources!("view", "blocks", "plan"), &[]),
             scan_reduce: compile(gpu, "scan_reduce", sources!("blocks", "scan_reduce"), &[]),
             scan_blocks: compile(gpu, "scan_blocks", sources!("blocks", "scan_blocks"), &[]),
