@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Vec3};
 use image::RgbImage;
-use orb_formats::{File, Image, cdb, openflight, ply, sgi};
+use orb_formats::{File, Image, cdb, collada, kmz, openflight, ply, sgi};
 
 use crate::audit::{Marking, inband};
 use crate::geo::Placement;
@@ -32,10 +32,14 @@ impl ToMetres {
         g.transformed(Mat3::IDENTITY, self.scale, -self.scale * self.base)
     }
 
+    /// One point, metres.
+    pub fn point(&self, p: Vec3) -> [f64; 3] {
+        ((p - self.base).as_dvec3() * f64::from(self.scale)).to_array()
+    }
+
     fn mesh(&self, m: &mesh::Mesh) -> orb_formats::Mesh {
-        let place = |p: &Vec3| ((*p - self.base).as_dvec3() * f64::from(self.scale)).to_array();
         orb_formats::Mesh {
-            positions: m.positions.iter().map(place).collect(),
+            positions: m.positions.iter().map(|p| self.point(*p)).collect(),
             normals: m.normals.iter().map(|n| n.to_array()).collect(),
             uvs: m.uvs.iter().map(|t| t.to_array()).collect(),
             triangles: m.triangles.clone(),
@@ -183,6 +187,23 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
     let bytes = openflight::write(&model).map_err(format_error)?;
     files.insert(0, File { path: format!("{stem}.flt"), bytes, media_type: "application/x-openflight" });
     Ok(files)
+}
+
+/// One level as COLLADA under its KML document, the texture beside it.
+pub fn kmz(level: &Level, to_metres: &ToMetres, document: &str, labels: &Labels) -> Result<File> {
+    let stem = &labels.stem;
+    let mut png = std::io::Cursor::new(Vec::new());
+    let picture = level.texture.write_to(&mut png, image::ImageFormat::Png);
+    picture.map_err(|e| Error::environment(format!("{stem}.png")).found(e.to_string()))?;
+    let marking = labels.marking.line();
+    let model = collada::write(&to_metres.mesh(&level.mesh), &format!("{stem}.png"), &marking, &labels.utc)
+        .map_err(format_error)?;
+    let files = [
+        (format!("models/{stem}.dae"), model),
+        (format!("models/{stem}.png"), inband::mark_png(&png.into_inner(), labels.marking)),
+    ];
+    let bytes = kmz::write(document, &files, &marking).map_err(format_error)?;
+    Ok(File { path: format!("{stem}.kmz"), bytes, media_type: "application/vnd.google-earth.kmz" })
 }
 
 /// Subject frame → east, north, up.

@@ -8,7 +8,7 @@ use crate::mesh::{self, Model};
 use crate::models::scene::{self, Subject};
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
-use crate::photo::Photo;
+use crate::photo::{Photo, Plane};
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
@@ -97,7 +97,7 @@ pub fn reconstruct(
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
-    let depth = sources.depth(photo, &subject, &mut outcome)?;
+    let mut depth = sources.depth(photo, &subject, &mut outcome)?;
     if depth.is_some() {
         clock.lap("depth");
     }
@@ -105,14 +105,20 @@ pub fn reconstruct(
 
     progress.begin("3D from one view", 0);
     let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
-    if let Some(depth) = depth {
-        outcome.depth_fit = sources::fit_depth(&mut one_view, &mut subject, depth);
+    let mut improve = |one_view: &mut OneView, depth: Option<Plane>| {
+        depth.and_then(|plane| sources::fit_depth(one_view, &mut subject, plane))
+    };
+    // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
+    if sources.views_are_the_priors() {
+        outcome.depth_fit = improve(&mut one_view, depth.take());
     }
     clock.lap("3D from one view");
     progress.check()?;
 
     let seen = symmetry::Seen { camera: one_view.camera, color: &one_view.colour, mask: &one_view.mask.data };
-    let fit = if settings.symmetry == Use::Off { None } else { symmetry::find(&one_view.gaussians, &seen) };
+    // Views drawn by others show the far side themselves, and stand in another frame than the prior.
+    let guessed = settings.symmetry != Use::Off && sources.views_are_the_priors();
+    let fit = if !guessed { None } else { symmetry::find(&one_view.gaussians, &seen) };
     let applied = fit.filter(|f| settings.symmetry == Use::On || f.convinces());
     let mirrored = applied.map(|f| symmetry::mirrored_photo(&one_view.gaussians, &seen, &f.plane));
     let completed = applied.map(|f| symmetry::complete(&one_view.gaussians, &seen, &f.plane));
@@ -123,12 +129,13 @@ pub fn reconstruct(
     progress.check()?;
 
     progress.begin("six views", 6);
-    let six = match sources.six_views(&mut one_view, &mut outcome, progress)? {
+    let six = match sources.six_views(&mut one_view, settings.seed, &mut outcome, progress)? {
         Some(given) => views::tile::framed(&given, GREY),
         None => render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?,
     };
     // Views between the six are the prior's own; where others draw the six there is nothing to hold back.
-    let between = match outcome.views_are_the_priors() {
+    outcome.depth_fit = outcome.depth_fit.or(improve(&mut one_view, depth));
+    let between = match sources.views_are_the_priors() {
         true => render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?,
         false => Vec::new(),
     };

@@ -95,6 +95,11 @@ impl Sources {
         self.engine.load_file(&network.path(role)?)
     }
 
+    /// Nothing takes the place of the prior's own views.
+    pub fn views_are_the_priors(&self) -> bool {
+        matches!(self.views, Views::BuiltIn)
+    }
+
     /// A mask in place of the built-in network's, of the photo's size.
     ///
     /// # Errors
@@ -137,6 +142,7 @@ impl Sources {
     pub fn six_views(
         &self,
         prior: &mut OneView,
+        seed: u64,
         outcome: &mut Outcome,
         progress: &dyn Progress,
     ) -> Result<Option<Vec<View>>> {
@@ -167,7 +173,7 @@ impl Sources {
         };
         outcome.tile_sha256 = Some(sha256_hex(tile.as_raw()));
         let views = tile::cut(&tile)?;
-        outcome.pose = Some(pose::settle(prior, &views)?);
+        outcome.pose = Some(pose::settle(prior, &views, seed, progress)?);
         Ok(Some(views))
     }
 }

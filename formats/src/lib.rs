@@ -3,10 +3,13 @@
 //! Writers return bytes or [`File`]s; nothing here touches a disk.
 
 pub mod cdb;
+pub mod collada;
+pub mod kmz;
 pub mod mesh;
 pub mod openflight;
 pub mod ply;
 pub mod sgi;
+pub mod xml;
 
 pub use mesh::Mesh;
 pub use sgi::Image;

@@ -181,6 +181,11 @@ impl Publication {
         Ok(())
     }
 
+    /// Path, media type and role of what was added so far.
+    pub fn outputs(&self) -> impl Iterator<Item = (&str, &str, &str)> {
+        self.subjects.iter().map(|s| (s.name.as_str(), s.annotations.media_type.as_str(), s.annotations.role.as_str()))
+    }
+
     /// Bytes written so far.
     pub fn size(&self) -> u64 {
         self.subjects.iter().filter_map(|s| s.annotations.size.parse::<u64>().ok()).sum()

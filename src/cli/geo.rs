@@ -1,5 +1,13 @@
 //! `orb geo`: one photo becomes a placed, marked, sealed model.
 
+mod manifest;
+pub mod options;
+mod place;
+mod sidecars;
+pub mod tools;
+
+pub use place::Placed;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -14,10 +22,10 @@ use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{DataFolder, Marking, Publication, StoreLock, lock_store, merge_into_store, record, time};
-use crate::export::{self, Labels, ToMetres};
-use crate::geo::{Extents, HeadingSource, Known, Placement, Scale, View, metres_per_unit, parse_origin};
+use crate::export::{self, Labels};
+use crate::geo::magnetic;
 use crate::models::{Engine, Rten, prior};
-use crate::photo::{self, Photo};
+use crate::photo;
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
 use crate::sources::Outcome;
@@ -30,6 +38,8 @@ pub enum Format {
     Cdb,
     /// OpenFlight 16.0, all levels in one file.
     Flt,
+    /// The finest level for Google Earth: KML with a COLLADA model.
+    Kmz,
     /// Gaussians, always written.
     Ply,
 }
@@ -70,14 +80,28 @@ impl From<Symmetry> for symmetry::Use {
 
 /// An option given twice takes its last value, as people expect who add to a command.
 #[derive(Args, Clone, Debug)]
-#[command(args_override_self = true)]
+#[command(args_override_self = true, subcommand_negates_reqs = true, args_conflicts_with_subcommands = true)]
 pub struct GeoArgs {
-    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
-    pub photo: PathBuf,
+    #[command(subcommand)]
+    pub tool: Option<tools::Tool>,
 
-    /// The ground point under the subject: latitude and longitude in degrees, height in metres above the WGS84 ellipsoid.
-    #[arg(long, value_name = "LAT,LON,ALT", allow_hyphen_values = true)]
-    pub origin: String,
+    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
+    #[arg(required_unless_present = "manifest")]
+    pub photo: Option<PathBuf>,
+
+    /// Many photos into one store: a CSV file whose first line names its columns (photo, name, origin, heading, length, …).
+    #[arg(long, value_name = "FILE", conflicts_with = "photo")]
+    pub manifest: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub place: options::PlaceArgs,
+
+    #[command(flatten)]
+    pub size: options::SizeArgs,
+
+    /// Name of the model, in place of the photo's.
+    #[arg(skip)]
+    pub stem: Option<String>,
 
     /// Formats to publish, separated by commas.
     #[arg(long, value_delimiter = ',', value_enum, default_value = "cdb")]
@@ -94,26 +118,6 @@ pub struct GeoArgs {
     /// Add the model to this existing CDB store, in place of a new store in the published folder.
     #[arg(long, value_name = "STORE")]
     pub cdb: Option<PathBuf>,
-
-    /// Bearing in which the camera looked, degrees clockwise from true north. Default: the photo's EXIF, else 0.
-    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
-    pub heading: Option<f64>,
-
-    /// The subject's true height.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true, conflicts_with_all = ["length", "width"])]
-    pub height: Option<f64>,
-
-    /// The subject's true length: the longer side of its footprint.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true, conflicts_with = "width")]
-    pub length: Option<f64>,
-
-    /// The subject's true width: the shorter side of its footprint.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
-    pub width: Option<f64>,
-
-    /// Height of the camera above the ground; gives the scale when no dimension is known.
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true, default_value_t = 1.6)]
-    pub camera_height: f64,
 
     /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
     #[arg(long, value_name = "BANNER", default_value = "UNCLASSIFIED")]
@@ -202,38 +206,26 @@ fn steps(quality: Quality, threads: usize) -> u32 {
 
 /// Arguments that need no photo to be judged.
 struct Plan {
-    origin: crate::geo::Geodetic,
-    known: Option<Known>,
+    wanted: options::Wanted,
     marking: Marking,
     facc: String,
     fsc: u16,
+    photo: PathBuf,
     stem: String,
     output: PathBuf,
 }
 
 fn plan(args: &GeoArgs) -> Result<Plan> {
-    let positive = |value: Option<f64>, name: &str| match value {
-        Some(v) if !(v.is_finite() && v > 0.0 && v < 10_000.0) => {
-            Err(Error::usage(name).expected("metres between 0 and 10,000").found(format!("{v}")))
-        }
-        other => Ok(other),
-    };
-    let height = positive(args.height, "--height")?.map(Known::Height);
-    let length = positive(args.length, "--length")?.map(Known::Length);
-    let width = positive(args.width, "--width")?.map(Known::Width);
-    positive(Some(args.camera_height), "--camera-height")?;
-    if let Some(h) = args.heading.filter(|h| !(h.is_finite() && (-360.0..=360.0).contains(h))) {
-        return Err(Error::usage("--heading").expected("degrees between -360 and 360").found(h.to_string()));
-    }
+    let photo = args.photo.clone().ok_or_else(|| Error::usage("photo").expected("a file").found("none"))?;
     let (facc, fsc) = feature_code(&args.facc)?;
-    let stem = safe_stem(&args.photo);
+    let stem = args.stem.clone().unwrap_or_else(|| safe_stem(&photo));
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
     Ok(Plan {
-        origin: parse_origin(&args.origin)?,
-        known: height.or(length).or(width),
+        wanted: options::wanted(&args.place, &args.size)?,
         marking: Marking::parse_for_output(&args.classification)?,
         facc,
         fsc,
+        photo,
         stem,
         output,
     })
@@ -264,12 +256,31 @@ fn safe_stem(photo: &Path) -> String {
 
 /// Runs the verb. `stop` is set by the interrupt handler.
 pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
+    match (&args.tool, &args.manifest) {
+        (Some(tool), _) => {
+            print!("{}", tools::run(tool, decimal_year(&time::now()?))?);
+            Ok(0)
+        }
+        (None, Some(manifest)) => manifest::run(args, manifest, stop),
+        (None, None) => publish_one(args, stop, None),
+    }
+}
+
+fn decimal_year(reading: &time::TimeReading) -> f64 {
+    let utc = reading.utc();
+    let part = |range: std::ops::Range<usize>| utc.get(range).and_then(|t| t.parse().ok()).unwrap_or(0);
+    magnetic::decimal_year(part(0..4), part(5..7), part(8..10)).unwrap_or(2025.0)
+}
+
+/// One photo into one folder. `line` is the key of a manifest's line, for the record.
+fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<u8> {
     let started = Instant::now();
     let plan = plan(args)?;
     let photo_limits = photo::Limits::default();
-    let bytes = read_photo(&args.photo, photo_limits.file_bytes)?;
-    let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let bytes = read_photo(&plan.photo, photo_limits.file_bytes)?;
+    let name = plan.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &photo_limits)?;
+    plan.wanted.check(&photo.exif)?;
 
     let mut run = SealedRun::begin(&plan.output, args.replace, plan.marking, args.key.as_deref(), args.quiet)?;
     let store = match &args.cdb {
@@ -296,15 +307,14 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         }
     };
     let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
-    let done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, &settings, &bar)?;
+    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();
     let reading = time::now()?;
-    let scale = scale_of(&photo, &done, &plan, args.camera_height)?;
-    let placement = place(&plan, args.heading, &photo);
-    let finest = done.model.levels.first().ok_or_else(|| Error::usage(&name).found("no surface"))?;
-    let to_metres = ToMetres::new(&finest.mesh, scale.metres_per_unit);
+    let placed = place::place(plan.wanted, &photo, &mut done, decimal_year(&reading))?;
+    let (placement, scale, to_metres) = (&placed.placement, &placed.scale, &placed.to_metres);
+    placed.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
     let labels = Labels {
         stem: plan.stem.clone(),
         marking: plan.marking,
@@ -315,35 +325,41 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         scale_source: scale.source.label(),
     };
 
-    let scene = export::gaussians_ply("scene.ply", &done.gaussians, &to_metres, &placement, &labels)?;
+    let scene = export::gaussians_ply("scene.ply", &done.gaussians, to_metres, placement, &labels)?;
     run.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
     if args.stages {
-        for file in export::stage_files(&done, &to_metres, &placement, &labels)? {
+        for file in export::stage_files(&done, to_metres, placement, &labels)? {
             run.publication.add(&file.path, &file.bytes, file.media_type, "stage")?;
         }
     }
     let mut store_model = None;
     if args.format.contains(&Format::Cdb) {
-        let model = export::gs_model(&done.model.levels, &to_metres, &placement, &labels);
+        let model = export::gs_model(&done.model.levels, to_metres, placement, &labels);
         store_model = Some(write_cdb(&model, &plan.stem, store, &mut run.publication)?);
     }
     if args.format.contains(&Format::Flt) {
-        for file in export::flt(&done.model.levels, &to_metres, &placement, &labels)? {
+        for file in export::flt(&done.model.levels, to_metres, placement, &labels)? {
             run.publication.add(&file.path, &file.bytes, file.media_type, "model")?;
         }
     }
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
+    sidecars::publish(&mut run.publication, &labels, &placed, &done, args.format.contains(&Format::Kmz))?;
     bar.check()?;
 
     let published = run.seal(Evidence {
         event_type: "scene.generate",
         command: "orb geo",
         time: reading,
-        inputs: [vec![record::input(&name, &bytes, photo.media_type, "photo", None)], chosen.inputs].concat(),
+        inputs: [
+            vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
+            chosen.inputs,
+            placed.inputs.clone(),
+        ]
+        .concat(),
         models: models(&done.sources),
-        params: params(args, &settings, &done, &placement, &scale),
+        params: params(args, &settings, &done, &placed, line),
     })?;
     bar.finish();
 
@@ -352,9 +368,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
         done: &done,
         writing: writing.elapsed(),
         total: started.elapsed(),
-        placement: &placement,
-        scale: &scale,
-        to_metres: &to_metres,
+        placed: &placed,
         marking: plan.marking,
         time: &reading,
         store_model: store_model.as_deref(),
@@ -427,37 +441,6 @@ fn write_cdb(
     }
 }
 
-fn scale_of(photo: &Photo, done: &Reconstruction, plan: &Plan, camera_height: f64) -> Result<Scale> {
-    let finest = &done.model.levels[0].mesh.positions;
-    let extents = Extents::of(finest.iter().map(|p| p.as_dvec3().to_array()))
-        .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
-    // The camera that the subject's silhouette fits, not the network's nominal one: they differ by a zoom.
-    let camera = &done.prior.camera;
-    let view = View {
-        elevation: done.prior.elevation,
-        crop_side: done.prior.crop.width,
-        photo_width: photo.pixels.width(),
-        photo_height: photo.pixels.height(),
-        canonical_distance: crate::models::splat_prior::DISTANCE,
-        canonical_fov: 2.0 * (camera.width as f32 / 2.0 / camera.fx).atan(),
-        focal_35mm: photo.exif.focal_35mm,
-    };
-    metres_per_unit(plan.known, &extents, &view, camera_height)
-}
-
-fn place(plan: &Plan, given: Option<f64>, photo: &Photo) -> Placement {
-    let (heading, heading_source) = match (given, photo.exif.image_direction) {
-        (Some(h), _) => (h, HeadingSource::Given),
-        (None, Some(h)) if photo.exif.direction_is_magnetic => (h, HeadingSource::ExifMagnetic),
-        (None, Some(h)) => (h, HeadingSource::ExifTrue),
-        (None, None) => (0.0, HeadingSource::Assumed),
-    };
-    if heading_source == HeadingSource::ExifMagnetic {
-        eprintln!("orb: warning: the photo's direction is magnetic and used as it is; give --heading for true north");
-    }
-    Placement { origin: plan.origin, heading: heading.rem_euclid(360.0), heading_source }
-}
-
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 fn models(outcome: &Outcome) -> Vec<Model> {
     let mut all = Vec::from(
@@ -490,8 +473,8 @@ fn params(
     args: &GeoArgs,
     settings: &Settings,
     done: &Reconstruction,
-    placement: &Placement,
-    scale: &Scale,
+    placed: &place::Placed,
+    line: Option<&str>,
 ) -> BTreeMap<String, Param> {
     let text = |v: String| Param::Text(v);
     let formats: Vec<String> =
@@ -504,16 +487,10 @@ fn params(
         ("iterations_planned".into(), Param::Int(settings.iterations.into())),
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
         ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),
-        ("latitude".into(), text(placement.origin.latitude.to_string())),
-        ("longitude".into(), text(placement.origin.longitude.to_string())),
-        ("ellipsoidal_height_m".into(), text(placement.origin.height.to_string())),
-        ("heading_deg".into(), text(placement.heading.to_string())),
-        ("heading_source".into(), text(placement.heading_source.label().into())),
-        ("metres_per_unit".into(), text(scale.metres_per_unit.to_string())),
-        ("scale_source".into(), text(scale.source.label().into())),
         ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
         ("feature_code".into(), text(args.facc.clone())),
     ]);
+    all.extend(placed.params(line));
     let sources = &done.sources;
     let mut add = |name: &str, value: Option<Param>| {
         if let Some(value) = value {

@@ -13,6 +13,7 @@ use crate::models::sam;
 use crate::models::zero123::{self, cache::Cache};
 use crate::photo::{self, Photo};
 use crate::sources::{self, Mask, Sources, Views};
+use crate::views::tile;
 use crate::{Error, Result};
 
 /// How imported networks are run: the same wherever some are.
@@ -114,7 +115,12 @@ pub fn choose(
         None => None,
     };
     let given_views = match &args.views {
-        Some(path) => Some(sources::tile_from(&read(path, "six-views")?)),
+        Some(path) => {
+            let tile = sources::tile_from(&read(path, "six-views")?);
+            // What is wrong with it is said before the work.
+            tile::cut(&tile)?;
+            Some(tile)
+        }
         None => None,
     };
     let prompt = prompt(args)?.on(size.0, size.1)?;
@@ -132,7 +138,9 @@ pub fn choose(
         Some(m) if !taken => registry.verified(&m).map(Some),
         _ => Ok(None),
     };
-    let mask = wanted(picked.mask, given_mask.is_some())?;
+    // A photo that is cut out says where its subject is; a network is asked all the same where the user points.
+    let cut_out = photo.cutout.is_some() && !prompted && !picked.named;
+    let mask = wanted(picked.mask, given_mask.is_some() || cut_out)?;
     let depth = wanted(picked.depth, false)?;
     let mut views = wanted(picked.views, given_views.is_some())?;
     let insists = args.engine.engine == Choice::Ort || args.engine.provider != Provider::Auto;

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 use std::time::Duration;
 
+use super::geo::Placed;
 use crate::audit::marking::Marking;
 use crate::audit::publication::Published;
 use crate::audit::time::TimeReading;
-use crate::export::ToMetres;
-use crate::geo::{Placement, Scale};
+use crate::geo::scale::with_deviation;
 use crate::models::prior;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
@@ -18,9 +18,7 @@ pub struct Summary<'a> {
     pub done: &'a Reconstruction,
     pub writing: Duration,
     pub total: Duration,
-    pub placement: &'a Placement,
-    pub scale: &'a Scale,
-    pub to_metres: &'a ToMetres,
+    pub placed: &'a Placed,
     pub marking: Marking,
     pub time: &'a TimeReading,
     /// Name of the model in the CDB store.
@@ -36,8 +34,9 @@ pub fn text(s: &Summary) -> String {
     let report = &s.done.report;
     let finest = &s.done.model.levels[0];
     let (low, high) = finest.mesh.bounds();
-    let size = (high - low) * s.to_metres.scale;
-    let o = &s.placement.origin;
+    let size = (high - low) * s.placed.to_metres.scale;
+    let (placement, scale, known) = (&s.placed.placement, &s.placed.scale, &s.placed.uncertainty);
+    let o = &placement.origin;
     let mut line = |name: &str, words: String| {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{name:<12} {words}");
@@ -47,12 +46,16 @@ pub fn text(s: &Summary) -> String {
     if let Some(model) = s.store_model {
         line("model", format!("{model} in the CDB store"));
     }
-    line("place", format!("{}, {}, {} m above the ellipsoid", o.latitude, o.longitude, o.height));
-    line("heading", format!("{:.1}° ({})", s.placement.heading, s.placement.heading_source.label()));
+    let place = [short(o.latitude, 9), short(o.longitude, 9), short(o.height, 3)];
+    line("place", format!("{} m above the ellipsoid", place.join(", ")));
     line(
-        "size",
-        format!("{:.2} m across, {:.2} m deep, {:.2} m high ({})", size.x, size.y, size.z, s.scale.source.label()),
+        "known to",
+        format!("± {} across, ± {} up, one standard deviation", metres(known.horizontal), metres(known.vertical)),
     );
+    let heading = with_deviation(placement.heading, known.heading, "°");
+    line("heading", format!("{heading} ({})", placement.heading_source.label()));
+    let [across, deep, high] = size.to_array().map(|v| with_deviation(v.into(), f64::from(v) * scale.sigma, " m"));
+    line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
     line("seen", format!("{:.0}% of the finest texture from the photo, the rest invented", finest.seen * 100.0));
@@ -86,6 +89,26 @@ pub fn text(s: &Summary) -> String {
     let memory = peak_memory(s).map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
     line("used", format!("{:.1} s, {memory}", s.total.as_secs_f64()));
     out
+}
+
+/// At most so many places, no zeros at the end.
+fn short(v: f64, places: usize) -> String {
+    let text = format!("{v:.places$}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Two significant digits at least; millimetres at most.
+fn metres(v: f64) -> String {
+    let places = if v >= 10.0 {
+        0
+    } else if v >= 1.0 {
+        1
+    } else if v >= 0.1 {
+        2
+    } else {
+        3
+    };
+    format!("{v:.places$} m")
 }
 
 /// PSNR before and after the optimisation, dB.
@@ -143,7 +166,8 @@ pub fn json(s: &Summary) -> Result<String> {
         .map(|t| serde_json::json!({"name": t.stage, "seconds": t.time.as_secs_f64(), "peak_memory_bytes": t.memory}))
         .chain([serde_json::json!({"name": "writing and sealing", "seconds": s.writing.as_secs_f64()})])
         .collect();
-    let o = &s.placement.origin;
+    let (placement, scale, known) = (&s.placed.placement, &s.placed.scale, &s.placed.uncertainty);
+    let o = &placement.origin;
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
         .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
@@ -165,9 +189,14 @@ pub fn json(s: &Summary) -> Result<String> {
         "device": "cpu",
         "georeference": {
             "latitude": o.latitude, "longitude": o.longitude, "ellipsoidal_height_m": o.height,
-            "heading_deg": s.placement.heading, "heading_source": s.placement.heading_source.label(),
+            "heading_deg": placement.heading, "heading_source": placement.heading_source.label(),
+            "horizontal_sigma_m": known.horizontal, "vertical_sigma_m": known.vertical,
+            "heading_sigma_deg": known.heading, "lineage": s.placed.lineage,
         },
-        "scale": {"metres_per_unit": s.scale.metres_per_unit, "source": s.scale.source.label()},
+        "scale": {
+            "metres_per_unit": scale.metres_per_unit, "source": scale.source.label(), "relative_sigma": scale.sigma,
+            "words": scale.words(),
+        },
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),
@@ -211,8 +240,8 @@ fn networks(s: &Summary) -> String {
         };
         let degrees = pose.elevation.to_degrees();
         words.push(format!(
-            "six views{from}, photo at {degrees:.0}° above them, silhouettes {:.0}% alike",
-            pose.iou * 100.0
+            "six views{from}, the photo's camera {degrees:.0}° above the horizon, silhouettes consistent to {:.0}%",
+            50.0 * (pose.filled + pose.kept)
         ));
     }
     words.join("; ")

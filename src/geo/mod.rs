@@ -1,11 +1,29 @@
-//! WGS84, local frames, scale and placement; everything on the Earth in f64.
+//! WGS84, local frames, heights, terrain, scale and placement; everything on the Earth in f64.
 
-mod origin;
+mod angle;
+mod datum;
+pub mod dem;
+mod epsg;
+mod extents;
+pub mod footprint;
+pub mod geoid;
+pub mod magnetic;
+pub mod mgrs;
 mod placement;
-mod scale;
+#[cfg(feature = "proj")]
+mod proj;
+pub mod scale;
+pub mod sidecar;
+pub mod sight;
+mod transverse_mercator;
+mod utm;
 mod wgs84;
+mod written;
 
-pub use origin::parse_origin;
-pub use placement::{HeadingSource, Placement};
-pub use scale::{Extents, Known, Scale, ScaleSource, View, metres_per_unit};
+pub use datum::{AltDatum, Height, to_ellipsoid};
+pub use extents::{Extents, convex_hull};
+pub use placement::{HeadingSource, Placement, Uncertainty};
+pub use scale::{Known, Scale, ScaleSource, View, metres_per_unit};
+pub use utm::{Utm, normalised_longitude, standard_zone};
 pub use wgs84::{Ecef, Enu, Geodetic};
+pub use written::{Written, parse_point};

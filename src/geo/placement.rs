@@ -1,4 +1,4 @@
-//! Where a subject stands on the Earth and which way it looks.
+//! Where a subject stands on the Earth and which way it looks, and how well both are known.
 
 use super::{Ecef, Enu, Geodetic};
 
@@ -7,8 +7,10 @@ use super::{Ecef, Enu, Geodetic};
 pub enum HeadingSource {
     Given,
     ExifTrue,
-    /// The camera wrote a magnetic bearing; used uncorrected, with a warning.
+    /// The camera wrote a magnetic bearing; the World Magnetic Model made it a true one.
     ExifMagnetic,
+    /// A drone's gimbal, from XMP.
+    Gimbal,
     /// Nothing known: 0.
     Assumed,
 }
@@ -18,7 +20,8 @@ impl HeadingSource {
         match self {
             HeadingSource::Given => "given",
             HeadingSource::ExifTrue => "exif-true-north",
-            HeadingSource::ExifMagnetic => "exif-magnetic-uncorrected",
+            HeadingSource::ExifMagnetic => "exif-magnetic-wmm2025",
+            HeadingSource::Gimbal => "gimbal",
             HeadingSource::Assumed => "assumed",
         }
     }
@@ -34,6 +37,28 @@ pub struct Placement {
     pub heading_source: HeadingSource,
 }
 
+/// One standard deviation of each.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Uncertainty {
+    /// Metres, along any horizontal direction.
+    pub horizontal: f64,
+    /// Metres.
+    pub vertical: f64,
+    /// Degrees.
+    pub heading: f64,
+    /// Relative.
+    pub scale: f64,
+}
+
+impl Uncertainty {
+    /// Of a point of the model that lies `across` metres from its origin on the ground and `up` above it: the origin's
+    /// own, and what heading and scale move it by.
+    pub fn at(&self, across: f64, up: f64) -> (f64, f64) {
+        let turned = across * self.heading.to_radians().min(1.0);
+        (self.horizontal.hypot(turned).hypot(across * self.scale), self.vertical.hypot(up * self.scale))
+    }
+}
+
 impl Placement {
     /// Subject frame (metres) → east, north, up of the origin:
     /// east = x·cos h + y·sin h, north = −x·sin h + y·cos h, up = z.
@@ -46,6 +71,11 @@ impl Placement {
     /// Subject frame (metres) → earth-centred, earth-fixed.
     pub fn to_ecef(&self, point: [f64; 3]) -> Ecef {
         self.origin.offset(self.to_enu(point)).to_ecef()
+    }
+
+    /// Subject frame (metres) → latitude, longitude, height above the ellipsoid.
+    pub fn to_geodetic(&self, point: [f64; 3]) -> Geodetic {
+        self.origin.offset(self.to_enu(point))
     }
 }
 
@@ -69,5 +99,15 @@ mod tests {
         let back = p.origin.local(e);
         let want = p.to_enu([1.0, 2.0, 3.0]);
         assert!((back.east - want.east).abs() < 1e-8 && (back.up - want.up).abs() < 1e-8);
+    }
+
+    #[test]
+    fn deviations_of_a_corner() {
+        let u = Uncertainty { horizontal: 3.0, vertical: 4.0, heading: 0.0, scale: 0.1 };
+        assert_eq!(u.at(0.0, 0.0), (3.0, 4.0));
+        let (h, v) = u.at(40.0, 30.0);
+        assert!((h - 5.0).abs() < 1e-12 && (v - 5.0).abs() < 1e-12);
+        let turned = Uncertainty { horizontal: 0.0, heading: 1.0, ..Default::default() };
+        assert!((turned.at(100.0, 0.0).0 - 1.745).abs() < 1e-3);
     }
 }

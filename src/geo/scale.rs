@@ -1,8 +1,12 @@
-//! How many metres a unit of the reconstruction is.
+//! How many metres a unit of the reconstruction is, and how well that is known.
+//!
+//! Every measurement gives an estimate with a standard deviation; they are combined by inverse variance of their
+//! logarithms, since a scale is a ratio. What is assumed counts only where nothing was measured.
 
+use super::Extents;
 use crate::{Error, Result};
 
-/// A dimension the operator knows.
+/// A dimension the operator knows, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Known {
     Height(f64),
@@ -17,6 +21,8 @@ pub enum Known {
 pub struct View {
     /// Angle of the line from the subject's centre to the camera above the horizontal, radians.
     pub elevation: f32,
+    /// Its standard deviation, radians.
+    pub elevation_sigma: f64,
     /// Side of the square crop, pixels of the photo.
     pub crop_side: f32,
     pub photo_width: u32,
@@ -28,14 +34,31 @@ pub struct View {
     pub focal_35mm: Option<f64>,
 }
 
-/// Extents of the reconstruction in its own units.
+/// A length in metres with its standard deviation, and who says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extents {
-    pub height: f64,
-    pub length: f64,
-    pub width: f64,
-    /// Height of the frame's centre above the ground contact.
-    pub centre_above_ground: f64,
+pub struct Measured {
+    pub metres: f64,
+    pub sigma: f64,
+    pub by: By,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    Operator,
+    Exif,
+    /// A drone's height above its point of take-off.
+    Drone,
+    Assumption,
+}
+
+/// Everything that can give a scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hints {
+    pub known: Vec<Known>,
+    /// Camera above the ground under the subject.
+    pub camera_height: Measured,
+    /// Camera to the subject's middle.
+    pub distance: Option<Measured>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +70,8 @@ pub enum ScaleSource {
     CameraHeightExifFocal,
     /// Camera height over the ground, focal length assumed.
     CameraHeightAssumedFocal,
+    DistanceExifFocal,
+    DistanceAssumedFocal,
 }
 
 impl ScaleSource {
@@ -57,157 +82,211 @@ impl ScaleSource {
             ScaleSource::KnownWidth => "known-width",
             ScaleSource::CameraHeightExifFocal => "camera-height-exif-focal",
             ScaleSource::CameraHeightAssumedFocal => "camera-height-assumed-focal",
+            ScaleSource::DistanceExifFocal => "distance-exif-focal",
+            ScaleSource::DistanceAssumedFocal => "distance-assumed-focal",
         }
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// One way to the scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    pub metres_per_unit: f64,
+    /// Of the logarithm.
+    pub sigma: f64,
+    pub source: ScaleSource,
+    /// `camera height assumed 1.6 m, focal length assumed 28 mm`.
+    pub words: String,
+}
+
+#[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
     pub metres_per_unit: f64,
+    /// Relative standard deviation.
+    pub sigma: f64,
+    /// Of the best estimate.
     pub source: ScaleSource,
+    /// What was combined, best first.
+    pub estimates: Vec<Estimate>,
+    /// Two estimates lie more than three of their standard deviations apart.
+    pub contradictory: bool,
+}
+
+impl Scale {
+    /// `height 1.45 m given; distance 6.2 m from EXIF`.
+    pub fn words(&self) -> String {
+        self.estimates.iter().map(|e| e.words.as_str()).collect::<Vec<_>>().join("; ")
+    }
 }
 
 /// Of a phone's main camera, where EXIF is silent.
 pub const ASSUMED_FOCAL_35MM: f64 = 28.0;
+/// A camera held at a standing person's eye.
+pub const ASSUMED_CAMERA_HEIGHT: Measured = Measured { metres: 1.6, sigma: 0.2, by: By::Assumption };
+/// Phones have 24 to 28 mm, their other cameras and other people's zooms anything: a quarter.
+const ASSUMED_FOCAL_SIGMA: f64 = 0.25;
+/// The tag is a whole number of millimetres of a nominal lens.
+const EXIF_FOCAL_SIGMA: f64 = 0.03;
+/// How far a mesh's box is from its subject's: a voxel's width on each side.
+const EXTENT_SIGMA: f64 = 0.02;
+/// A dimension that somebody measured or looked up.
+const KNOWN_SIGMA: f64 = 0.01;
 /// Diagonal of a 36 × 24 mm frame.
 const DIAGONAL_35MM: f64 = 43.266_615;
 
-/// A known dimension decides; else the camera stands `camera_height` metres over the ground plane:
-/// D = d·2·tan(fov/2)·f/s (distance at which the subject fills the crop with the photo's focal length f in pixels),
-/// metres a unit = camera height / (D·sin(elevation) + centre above ground).
-pub fn metres_per_unit(known: Option<Known>, extents: &Extents, view: &View, camera_height: f64) -> Result<Scale> {
-    let ratio = |metres: f64, units: f64, source: ScaleSource, name: &str| {
-        if units < 1e-6 {
-            return Err(Error::usage(name)
-                .found("the reconstruction has no extent in that direction")
-                .advice("Give another dimension of the subject."));
-        }
-        Ok(Scale { metres_per_unit: metres / units, source })
-    };
-    match known {
-        Some(Known::Height(m)) => return ratio(m, extents.height, ScaleSource::KnownHeight, "--height"),
-        Some(Known::Length(m)) => return ratio(m, extents.length, ScaleSource::KnownLength, "--length"),
-        Some(Known::Width(m)) => return ratio(m, extents.width, ScaleSource::KnownWidth, "--width"),
-        None => {}
-    }
-    let (focal_35mm, source) = match view.focal_35mm {
-        Some(f) => (f, ScaleSource::CameraHeightExifFocal),
-        None => (ASSUMED_FOCAL_35MM, ScaleSource::CameraHeightAssumedFocal),
-    };
-    let focal = focal_35mm * f64::from(view.photo_width).hypot(f64::from(view.photo_height)) / DIAGONAL_35MM;
-    let spread = 2.0 * f64::from(view.canonical_fov / 2.0).tan();
-    let distance = f64::from(view.canonical_distance) * spread * focal / f64::from(view.crop_side);
-    let units = distance * f64::from(view.elevation).sin() + extents.centre_above_ground;
-    // Below a tenth of a unit the camera would lie on the ground: the elevation is not believable.
-    if units < 0.1 {
-        return Err(Error::usage("scale")
-            .expected("a camera above the ground")
-            .found(format!("an estimated elevation of {:.1}°", view.elevation.to_degrees()))
-            .advice("The photo seems to look up at the subject: give --height, --length or --width in metres."));
-    }
-    Ok(Scale { metres_per_unit: camera_height / units, source })
-}
-
-impl Extents {
-    /// Of points in the unit frame (Z up). The footprint's rectangle is the one of smallest area.
-    pub fn of(points: impl Iterator<Item = [f64; 3]>) -> Option<Self> {
-        let (mut low, mut high, mut flat) = (f64::INFINITY, f64::NEG_INFINITY, Vec::new());
-        for [x, y, z] in points {
-            low = low.min(z);
-            high = high.max(z);
-            flat.push([x, y]);
-        }
-        let hull = convex_hull(flat);
-        if hull.is_empty() {
-            return None;
-        }
-        let (length, width) = smallest_rectangle(&hull);
-        Some(Extents { height: high - low, length, width, centre_above_ground: -low })
-    }
-}
-
-/// Andrew's monotone chain, counter-clockwise.
-fn convex_hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
-    }
-    let turn = |o: [f64; 2], a: [f64; 2], b: [f64; 2]| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-    let mut hull: Vec<[f64; 2]> = Vec::new();
-    for pass in 0..2 {
-        let base = hull.len();
-        let step = |hull: &mut Vec<[f64; 2]>, p: [f64; 2]| {
-            while hull.len() >= base + 2 && turn(hull[hull.len() - 2], hull[hull.len() - 1], p) <= 0.0 {
-                hull.pop();
-            }
-            hull.push(p);
+impl View {
+    /// Focal length in pixels of the photo, its relative standard deviation, and whether EXIF says it.
+    pub fn focal(&self) -> (f64, f64, bool) {
+        let (focal_35mm, sigma, exif) = match self.focal_35mm {
+            Some(f) => (f, EXIF_FOCAL_SIGMA, true),
+            None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, false),
         };
-        if pass == 0 {
-            points.iter().for_each(|&p| step(&mut hull, p));
-        } else {
-            points.iter().rev().for_each(|&p| step(&mut hull, p));
-        }
-        hull.pop();
+        let diagonal = f64::from(self.photo_width).hypot(f64::from(self.photo_height));
+        (focal_35mm * diagonal / DIAGONAL_35MM, sigma, exif)
     }
-    hull
+
+    /// Units from the camera to the subject's middle: D = d · 2 tan(fov / 2) · f / s, where the subject fills the crop
+    /// with the photo's own focal length.
+    pub fn distance(&self) -> f64 {
+        let spread = 2.0 * f64::from(self.canonical_fov / 2.0).tan();
+        f64::from(self.canonical_distance) * spread * self.focal().0 / f64::from(self.crop_side)
+    }
+
+    /// Units from the ground up to the camera.
+    pub fn camera_above_ground(&self, extents: &Extents) -> f64 {
+        self.distance() * f64::from(self.elevation).sin() + extents.centre_above_ground
+    }
+
+    fn focal_words(&self) -> String {
+        match self.focal_35mm {
+            Some(f) => format!("focal length {f} mm from EXIF"),
+            None => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
+        }
+    }
 }
 
-/// The smallest enclosing rectangle has a side along a hull edge (Freeman and Shapira 1975): (longer, shorter).
-fn smallest_rectangle(hull: &[[f64; 2]]) -> (f64, f64) {
-    let extent = |ux: f64, uy: f64| {
-        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
-        for p in hull {
-            let d = p[0] * ux + p[1] * uy;
-            lo = lo.min(d);
-            hi = hi.max(d);
-        }
-        hi - lo
-    };
-    let mut best = (f64::INFINITY, 0.0, 0.0);
-    for i in 0..hull.len() {
-        let (a, b) = (hull[i], hull[(i + 1) % hull.len()]);
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let l = dx.hypot(dy);
-        let (ux, uy) = if l > 0.0 { (dx / l, dy / l) } else { (1.0, 0.0) };
-        let (along, across) = (extent(ux, uy), extent(-uy, ux));
-        if along * across < best.0 {
-            best = (along * across, along.max(across), along.min(across));
+/// Combines what is known.
+///
+/// # Errors
+/// A subject without extent where its dimension is known; nothing usable.
+pub fn metres_per_unit(hints: &Hints, extents: &Extents, view: &View) -> Result<Scale> {
+    let mut estimates = Vec::new();
+    for known in &hints.known {
+        estimates.push(from_dimension(*known, extents)?);
+    }
+    estimates.extend(hints.distance.map(|d| from_distance(d, view)));
+    let assumed = hints.camera_height.by == By::Assumption;
+    if !assumed || estimates.is_empty() {
+        match from_camera_height(hints.camera_height, extents, view) {
+            Some(e) => estimates.push(e),
+            None if estimates.is_empty() => {
+                return Err(Error::usage("scale")
+                    .expected("a camera above the ground")
+                    .found(format!("an estimated elevation of {:.1}°", view.elevation.to_degrees()))
+                    .advice(
+                        "The photo seems to look up at the subject: give --height, --length or --width in metres.",
+                    ));
+            }
+            None => {}
         }
     }
-    (best.1, best.2)
+    Ok(combine(estimates))
+}
+
+fn from_dimension(known: Known, extents: &Extents) -> Result<Estimate> {
+    let (metres, units, source, name) = match known {
+        Known::Height(m) => (m, extents.height, ScaleSource::KnownHeight, "height"),
+        Known::Length(m) => (m, extents.length, ScaleSource::KnownLength, "length"),
+        Known::Width(m) => (m, extents.width, ScaleSource::KnownWidth, "width"),
+    };
+    if units < 1e-6 {
+        return Err(Error::usage(format!("--{name}"))
+            .found("the reconstruction has no extent in that direction")
+            .advice("Give another dimension of the subject."));
+    }
+    let sigma = KNOWN_SIGMA.hypot(EXTENT_SIGMA);
+    Ok(Estimate { metres_per_unit: metres / units, sigma, source, words: format!("{name} {metres} m given") })
+}
+
+fn said(what: &str, m: Measured) -> String {
+    match m.by {
+        By::Operator => format!("{what} {} m given", m.metres),
+        By::Exif => format!("{what} {} m from EXIF", m.metres),
+        By::Drone => format!("{what} {} m above take-off", m.metres),
+        By::Assumption => format!("{what} assumed {} m", m.metres),
+    }
+}
+
+fn from_distance(distance: Measured, view: &View) -> Estimate {
+    let (_, focal_sigma, exif) = view.focal();
+    Estimate {
+        metres_per_unit: distance.metres / view.distance(),
+        sigma: (distance.sigma / distance.metres).hypot(focal_sigma),
+        source: if exif { ScaleSource::DistanceExifFocal } else { ScaleSource::DistanceAssumedFocal },
+        words: format!("{}, {}", said("distance", distance), view.focal_words()),
+    }
+}
+
+/// The camera stands that high over the ground plane: metres a unit = height / (D sin(elevation) + centre above ground).
+/// `None` where the camera would lie on the ground, below a tenth of a unit: the elevation is not believable.
+fn from_camera_height(height: Measured, extents: &Extents, view: &View) -> Option<Estimate> {
+    let units = view.camera_above_ground(extents);
+    if units < 0.1 {
+        return None;
+    }
+    let (_, focal_sigma, exif) = view.focal();
+    let (sin, cos) = f64::from(view.elevation).sin_cos();
+    let by_focal = view.distance() * sin * focal_sigma / units;
+    let by_elevation = view.distance() * cos * view.elevation_sigma / units;
+    Some(Estimate {
+        metres_per_unit: height.metres / units,
+        sigma: (height.sigma / height.metres).hypot(by_focal).hypot(by_elevation),
+        source: if exif { ScaleSource::CameraHeightExifFocal } else { ScaleSource::CameraHeightAssumedFocal },
+        words: format!("{}, {}", said("camera height", height), view.focal_words()),
+    })
+}
+
+/// Weighted mean of the logarithms; where they scatter more than they may, the deviation grows with them.
+fn combine(mut estimates: Vec<Estimate>) -> Scale {
+    estimates.sort_by(|a, b| a.sigma.total_cmp(&b.sigma));
+    let weight: f64 = estimates.iter().map(|e| e.sigma.powi(-2)).sum();
+    let mean = estimates.iter().map(|e| e.metres_per_unit.ln() * e.sigma.powi(-2)).sum::<f64>() / weight;
+    let apart = |e: &Estimate| ((e.metres_per_unit.ln() - mean) / e.sigma).powi(2);
+    let scatter = estimates.iter().map(apart).sum::<f64>() / (estimates.len() - 1).max(1) as f64;
+    let contradictory = estimates.iter().enumerate().any(|(i, a)| {
+        estimates[..i].iter().any(|b| (a.metres_per_unit / b.metres_per_unit).ln().abs() > 3.0 * a.sigma.hypot(b.sigma))
+    });
+    let metres_per_unit = if let [only] = &estimates[..] { only.metres_per_unit } else { mean.exp() };
+    Scale {
+        metres_per_unit,
+        sigma: weight.sqrt().recip() * scatter.sqrt().max(1.0),
+        source: estimates[0].source,
+        estimates,
+        contradictory,
+    }
+}
+
+/// `4.6 m ± 0.5`: as many places as the deviation bears.
+pub fn with_deviation(value: f64, sigma: f64, unit: &str) -> String {
+    if !(sigma.is_finite() && sigma > 0.0) {
+        return format!("{value}{unit}");
+    }
+    let first = sigma.log10().floor();
+    // One digit of the deviation, two where it is a 1.
+    let places = if sigma / 10f64.powf(first) < 1.95 { 1.0 - first } else { -first }.clamp(0.0, 9.0) as usize;
+    format!("{value:.places$}{unit} ± {sigma:.places$}")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn turned_box(degrees: f64) -> Vec<[f64; 3]> {
-        let (s, c) = degrees.to_radians().sin_cos();
-        let mut v = Vec::new();
-        for x in [-1.0, 1.0] {
-            for y in [-0.4, 0.4] {
-                for z in [-0.3, 0.5] {
-                    v.push([x * c - y * s, x * s + y * c, z]);
-                }
-            }
-        }
-        v
-    }
-
-    #[test]
-    fn extents_do_not_depend_on_heading() {
-        for d in [0.0, 17.0, 45.0, 80.0, 133.0] {
-            let e = Extents::of(turned_box(d).into_iter()).unwrap();
-            assert!((e.length - 2.0).abs() < 1e-12 && (e.width - 0.8).abs() < 1e-12 && (e.height - 0.8).abs() < 1e-12);
-            assert!((e.centre_above_ground - 0.3).abs() < 1e-12);
-        }
-        assert!(Extents::of(std::iter::empty()).is_none());
-    }
+    const EXTENTS: Extents = Extents { height: 0.8, length: 2.0, width: 0.8, centre_above_ground: 0.35 };
 
     fn view(elevation_deg: f32) -> View {
         View {
             elevation: elevation_deg.to_radians(),
+            elevation_sigma: 5f64.to_radians(),
             crop_side: 400.0,
             photo_width: 512,
             photo_height: 512,
@@ -217,11 +296,20 @@ mod tests {
         }
     }
 
+    fn hints(known: &[Known]) -> Hints {
+        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None }
+    }
+
+    fn standing(metres: f64) -> Hints {
+        Hints { camera_height: Measured { metres, sigma: 0.05, by: By::Operator }, ..hints(&[]) }
+    }
+
     #[test]
-    fn a_known_dimension_decides() {
-        let e = Extents { height: 0.8, length: 2.0, width: 0.8, centre_above_ground: 0.3 };
-        let s = metres_per_unit(Some(Known::Length(4.6)), &e, &view(10.0), 1.6).unwrap();
+    fn a_known_dimension_outweighs_what_is_assumed() {
+        let s = metres_per_unit(&hints(&[Known::Length(4.6)]), &EXTENTS, &view(10.0)).unwrap();
         assert_eq!((s.metres_per_unit, s.source), (2.3, ScaleSource::KnownLength));
+        assert_eq!(s.words(), "length 4.6 m given");
+        assert!((0.01..0.03).contains(&s.sigma) && !s.contradictory);
     }
 
     /// A camera built from the formula's own geometry, seen from 3 m up, gives its scale back.
@@ -231,11 +319,63 @@ mod tests {
         let v = view(15.0);
         let focal = 50.0 * 512f64.hypot(512.0) / DIAGONAL_35MM;
         let distance = 3.9 * 2.0 * 15f64.to_radians().tan() * focal / 400.0;
-        let e = Extents { height: 0.8, length: 2.0, width: 0.8, centre_above_ground: 0.35 };
         let height = metres_a_unit * (distance * elevation.sin() + 0.35);
-        let s = metres_per_unit(None, &e, &v, height).unwrap();
+        let s = metres_per_unit(&standing(height), &EXTENTS, &v).unwrap();
         assert!((s.metres_per_unit - metres_a_unit).abs() < 1e-6);
         assert_eq!(s.source, ScaleSource::CameraHeightExifFocal);
-        assert!(metres_per_unit(None, &e, &view(-30.0), 1.6).is_err());
+        assert!(metres_per_unit(&hints(&[]), &EXTENTS, &view(-30.0)).is_err());
+        let far = Hints { distance: Some(Measured { metres: 2.0 * distance, sigma: 0.3, by: By::Exif }), ..hints(&[]) };
+        let s = metres_per_unit(&far, &EXTENTS, &v).unwrap();
+        assert!((s.metres_per_unit - metres_a_unit).abs() < 1e-6);
+        assert_eq!(s.source, ScaleSource::DistanceExifFocal);
+    }
+
+    /// The deviation that is propagated is the one that five hundred disturbed cameras show.
+    #[test]
+    fn propagated_deviation_matches_disturbed_inputs() {
+        // Small enough for the first order that is propagated.
+        let v = View { elevation_sigma: 1f64.to_radians(), ..view(20.0) };
+        let height = Measured { metres: 1.6, sigma: 0.1, by: By::Operator };
+        let stated = from_camera_height(height, &EXTENTS, &v).unwrap();
+        let mut squares = Vec::new();
+        // Eight-point symmetric samples of a normal law in each of three directions: mean square 1.
+        let steps = [-1.645, -1.036, -0.6745, -0.3186, 0.3186, 0.6745, 1.036, 1.645].map(|x: f64| x * 1.0515);
+        for dh in steps {
+            for df in steps {
+                for de in steps {
+                    let disturbed = View {
+                        elevation: v.elevation + (de * v.elevation_sigma) as f32,
+                        focal_35mm: Some(50.0 * (1.0 + df * EXIF_FOCAL_SIGMA)),
+                        ..v
+                    };
+                    let h = Measured { metres: 1.6 + dh * 0.1, ..height };
+                    let e = from_camera_height(h, &EXTENTS, &disturbed).unwrap();
+                    squares.push((e.metres_per_unit / stated.metres_per_unit).ln().powi(2));
+                }
+            }
+        }
+        let seen = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+        assert!((seen / stated.sigma - 1.0).abs() < 0.12, "{seen} {}", stated.sigma);
+    }
+
+    #[test]
+    fn agreeing_measurements_sharpen_and_contradicting_ones_are_said() {
+        let v = view(15.0);
+        let true_height = 2.3 * v.camera_above_ground(&EXTENTS);
+        let both = Hints { known: vec![Known::Length(4.6), Known::Height(1.84)], ..standing(true_height) };
+        let s = metres_per_unit(&both, &EXTENTS, &v).unwrap();
+        assert!((s.metres_per_unit - 2.3).abs() < 1e-9 && s.estimates.len() == 3 && !s.contradictory);
+        assert!(s.sigma < s.estimates[0].sigma);
+        let wrong = Hints { known: vec![Known::Length(4.6), Known::Height(3.7)], ..hints(&[]) };
+        let s = metres_per_unit(&wrong, &EXTENTS, &v).unwrap();
+        assert!(s.contradictory && s.sigma > 0.2, "{s:?}");
+    }
+
+    #[test]
+    fn places_follow_the_deviation() {
+        assert_eq!(with_deviation(4.6123, 0.52, " m"), "4.6 m ± 0.5");
+        assert_eq!(with_deviation(4.6123, 0.0321, " m"), "4.61 m ± 0.03");
+        assert_eq!(with_deviation(4.6123, 0.12, " m"), "4.61 m ± 0.12");
+        assert_eq!(with_deviation(87.3, 104.0, "°"), "87° ± 104");
     }
 }

@@ -13,10 +13,8 @@ pub struct Normalise {
 /// Of ImageNet: SAM, Depth Anything.
 pub const IMAGENET: Normalise = Normalise { mean: [0.485, 0.456, 0.406], deviation: [0.229, 0.224, 0.225] };
 /// Of CLIP.
-pub const CLIP: Normalise = Normalise {
-    mean: [0.481_454_66, 0.457_827_5, 0.408_210_73],
-    deviation: [0.268_629_54, 0.261_302_58, 0.275_777_11],
-};
+pub const CLIP: Normalise =
+    Normalise { mean: [0.481_454_66, 0.457_827_5, 0.408_210_73], deviation: [0.268_629_54, 0.261_302_6, 0.275_777_1] };
 
 /// Pixels 0..1, row-major, width × height, to a tensor 1 × 3 × H × W; a frame larger than the picture is padded with 0 after
 /// normalising, on the right and below.

@@ -84,7 +84,7 @@ pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize) {
 }
 
 /// A square dilation, separable.
-pub(super) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+pub(crate) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
     let spread = |count: usize, line: &dyn Fn(usize) -> bool, set: &mut dyn FnMut(usize)| {
         let mut reach = 0; // one past the last position already set
         for i in 0..count {

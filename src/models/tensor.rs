@@ -100,11 +100,13 @@ impl Port {
             return false;
         }
         let (Some(have), Some(want)) = (&self.shape, &wanted.shape) else { return true };
-        have.len() == want.len()
-            && have.iter().zip(want).all(|(a, b)| match (a, b) {
-                (Some(a), Some(b)) => a == b,
-                _ => true,
-            })
+        // Published SAM 2 encoders declare some outputs as scalars, which they are not.
+        have.is_empty()
+            || have.len() == want.len()
+                && have.iter().zip(want).all(|(a, b)| match (a, b) {
+                    (Some(a), Some(b)) => a == b,
+                    _ => true,
+                })
     }
 }
 

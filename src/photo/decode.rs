@@ -77,6 +77,10 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
         _ => decoder.exif_metadata().ok().flatten(),
     };
     let (exif, orientation): (Exif, Orientation) = block.map(metadata::read).unwrap_or_default();
+    let exif = match decoder.xmp_metadata() {
+        Ok(Some(packet)) => exif.with_xmp(&packet),
+        _ => exif,
+    };
     let decoded = DynamicImage::from_decoder(decoder).map_err(damaged)?;
 
     let (pixels, cutout) = flatten(decoded);

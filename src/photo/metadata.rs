@@ -1,6 +1,9 @@
-//! EXIF 2.32: the few tags that a reconstruction can use.
+//! EXIF and XMP: what a reconstruction can use of what the camera wrote beside the picture.
 
 use exif::{In, Reader, Tag, Value};
+
+use super::gps::{self, Position};
+use super::xmp::{self, Gimbal};
 
 /// What the camera wrote beside the picture; absent tags stay `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,6 +14,37 @@ pub struct Exif {
     pub image_direction: Option<f64>,
     /// The direction was relative to magnetic north (then `image_direction` is as written, uncorrected).
     pub direction_is_magnetic: bool,
+    /// The camera's place.
+    pub position: Option<Position>,
+    /// The name of a datum other than WGS84, for which the position was left out.
+    pub foreign_datum: Option<String>,
+    /// Metres to what the camera focused on.
+    pub subject_distance: Option<f64>,
+    /// Year, month, day of the picture.
+    pub date: Option<(i64, i64, i64)>,
+    /// From XMP.
+    pub gimbal: Option<Gimbal>,
+}
+
+impl Exif {
+    /// Adds what an XMP packet says where EXIF is silent; a drone's receiver knows its own accuracy best.
+    pub(super) fn with_xmp(mut self, packet: &[u8]) -> Self {
+        let xmp = xmp::read(packet);
+        if self.image_direction.is_none() {
+            self.image_direction = xmp.image_direction;
+            self.direction_is_magnetic = xmp.direction_is_magnetic;
+        }
+        self.focal_35mm = self.focal_35mm.or(xmp.focal_35mm);
+        self.gimbal = xmp.gimbal;
+        if self.foreign_datum.is_none() {
+            self.position = self.position.or(xmp.position).map(|p| Position {
+                accuracy: xmp.accuracy.or(p.accuracy),
+                vertical_accuracy: xmp.vertical_accuracy.or(p.vertical_accuracy),
+                ..p
+            });
+        }
+        self
+    }
 }
 
 /// EXIF tag 0x0112: what must be done to the stored rows to see the picture upright.
@@ -80,10 +114,21 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
             |f| matches!(&f.value, Value::Ascii(text) if text.first().is_some_and(|t| t.starts_with(b"M"))),
         );
     let orientation = uint(Tag::Orientation).map(Orientation::from_tag).unwrap_or_default();
-    (Exif { focal_35mm, image_direction, direction_is_magnetic }, orientation)
+    let exif = Exif {
+        focal_35mm,
+        image_direction,
+        direction_is_magnetic,
+        position: gps::position(&tags),
+        foreign_datum: gps::foreign_datum(&tags),
+        // EXIF 3.0, section 4.6.5.1: 0 is unknown, all ones is infinity.
+        subject_distance: real(Tag::SubjectDistance).filter(|d| (0.05..10_000.0).contains(d)),
+        date: gps::date(&tags),
+        gimbal: None,
+    };
+    (exif, orientation)
 }
 
-fn real(value: &Value) -> Option<f64> {
+pub(super) fn real(value: &Value) -> Option<f64> {
     let number = match value {
         Value::Rational(v) => v.first()?.to_f64(),
         Value::SRational(v) => v.first()?.to_f64(),

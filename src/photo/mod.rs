@@ -2,16 +2,22 @@
 
 mod complete;
 mod decode;
+mod gps;
 mod metadata;
 mod plane;
 mod resample;
 #[cfg(test)]
+mod tag_tests;
+#[cfg(test)]
 mod tests;
+mod xmp;
 
 pub use decode::{Limits, decode};
+pub use gps::{AltitudeAbove, Position};
 pub use metadata::{Exif, Orientation};
 pub use plane::Plane;
 pub use resample::{Edge, Rect, sample_colour, sample_plane};
+pub use xmp::Gimbal;
 
 /// A decoded photo: sRGB, upright.
 #[derive(Clone, Debug)]

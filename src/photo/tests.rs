@@ -18,7 +18,7 @@ pub(super) fn exif_block(tags: &[(Tag, Value)]) -> Vec<u8> {
 }
 
 /// Red top left, green top right, blue bottom left, grey bottom right.
-fn quarters(width: u32, height: u32) -> RgbImage {
+pub(super) fn quarters(width: u32, height: u32) -> RgbImage {
     RgbImage::from_fn(width, height, |x, y| {
         image::Rgb(match (x < width / 2, y < height / 2) {
             (true, true) => [250, 0, 0],
@@ -35,7 +35,7 @@ fn encode(picture: &DynamicImage, format: ImageFormat) -> Vec<u8> {
     out.into_inner()
 }
 
-fn jpeg_with(block: &[u8], picture: &RgbImage) -> Vec<u8> {
+pub(super) fn jpeg_with(block: &[u8], picture: &RgbImage) -> Vec<u8> {
     let mut out = Vec::new();
     let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut out, 95);
     encoder.encode_image(picture).unwrap();

@@ -3,6 +3,7 @@
 //! An azimuth is relative to the photo (0: the photo's own side) and grows as the camera walks to its own right,
 //! counter-clockwise seen from above, as Zero123++ and InstantMesh count it. At azimuth 90° the camera stands on +X.
 
+mod consistency;
 pub mod hull;
 pub mod pose;
 pub mod tile;

@@ -1,129 +1,80 @@
-//! Where the photo was taken from, found by what six views allow: elevation, zoom and shift that show the photo again.
+//! The photo among six views that others drew: a body that fits all seven, and the camera that took the photo.
 
-use glam::{Mat3, Vec3};
-
-use super::hull::pixel;
+use super::consistency;
+use super::hull::{Hull, pixel};
+use super::six_views;
 use super::tile::View;
-use super::{hull, six_views};
-use crate::models::align::fit_intrinsics;
-use crate::models::splat_prior::{OneView, canonical_camera};
-use crate::splat::{self, Camera, Gaussians};
+use crate::models::splat_prior::OneView;
+use crate::progress::Progress;
+use crate::splat::{self, Camera, Gaussians, Target};
 use crate::{Error, Result};
 
-/// Degrees that are searched, and the first step.
-const RANGE: (f32, f32) = (-20.0, 60.0);
-const STEP: f32 = 8.0;
-/// Side of the pictures that are compared.
-const GRID: u32 = 96;
-/// Weight of the colours beside the silhouette.
-const COLOUR: f32 = 0.7;
+/// Steps of the fit to the views.
+const FITTING: usize = 150;
 
-/// What the search found.
+/// What was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// Radians above the horizon.
+    /// Of the photo's camera, radians above the horizon.
     pub elevation: f32,
-    /// Of the hull's silhouette and the photo's mask.
-    pub iou: f32,
+    /// Share of the photo's silhouette that a body of the six views fills.
+    pub filled: f32,
+    /// Share of the six silhouettes that this body, cut to the photo's, still fills.
+    pub kept: f32,
 }
 
-/// Brings the prior into the frame of the six views: camera by search, body by the hull, what the views contradict left out,
-/// what the prior lacks filled from the hull.
+/// Brings the prior into the frame of the six views: a model fitted to them takes its Gaussians' place, and the camera from
+/// which the photo's silhouette is consistent with theirs takes its camera's.
 ///
 /// # Errors
-/// A usage error when the six views show no common body.
-pub fn settle(view: &mut OneView, views: &[View]) -> Result<Found> {
-    let body = hull::hull(views);
-    if body.len() < 200 {
+/// A usage error when the six views show no common body, `Cancelled`.
+pub fn settle(view: &mut OneView, views: &[View], seed: u64, progress: &dyn Progress) -> Result<Found> {
+    let hull = Hull::of(views);
+    let consistent = consistency::find(&hull, &view.mask, view.elevation).filter(|c| c.filled > 0.3 && c.kept > 0.3);
+    let Some(c) = consistent else {
         return Err(Error::usage("six views")
-            .expected("six views of one subject")
-            .found("silhouettes that have no body in common")
+            .expected("six views of the photo's subject")
+            .found("silhouettes that have no body in common with the photo's")
             .advice("Views must stand at azimuths 30°, 90°, … 330° and elevations 20°, −10°, … (Zero123++ v1.2)."));
+    };
+    // The photo's silhouette carves too, with a pixel to spare.
+    let seen = crate::models::region::dilated(view.mask.width, view.mask.height, 2, |i| view.mask.data[i] > 0.5);
+    let carved = hull.carved(|p| pixel(&c.camera, p).is_none_or(|(x, y)| seen[y * view.mask.width + x]));
+    view.camera = c.camera;
+    view.elevation = c.elevation;
+    view.silhouette_iou = c.filled;
+    view.gaussians = fitted(carved.surface(views), view, views, seed, progress)?;
+    Ok(Found { elevation: c.elevation, filled: c.filled, kept: c.kept })
+}
+
+/// A short optimisation on the six views and the photo takes off what their colours contradict.
+fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress: &dyn Progress) -> Result<Gaussians> {
+    let size = views.first().map_or(1, |v| v.alpha.width as u32);
+    let target = |camera: Camera, colour: &[[f32; 3]], alpha: &[f32], name: String| Target {
+        camera,
+        color: colour.to_vec(),
+        alpha: alpha.to_vec(),
+        weight: 1.0,
+        refine_pose: false,
+        held_back: None,
+        name,
+    };
+    let mut targets = vec![target(photo.camera, &photo.colour, &photo.mask.data, "photo".into())];
+    for (i, (camera, view)) in six_views(size).into_iter().zip(views).enumerate() {
+        targets.push(target(camera, &view.colour, &view.alpha.data, format!("view {}", i + 1)));
     }
-    let (camera, found) = photo_camera(view, &body);
-    let guessed = view.elevation;
-    view.camera = camera;
-    view.elevation = found.elevation;
-    view.silhouette_iou = found.iou;
-    // Turned by what the elevation changed, then laid into the hull.
-    let turn = Mat3::from_rotation_x(guessed - found.elevation);
-    let turned = view.gaussians.transformed(turn, 1.0, Vec3::ZERO);
-    let ((low, high), (from_low, from_high)) = (bounds(&body), bounds(&turned));
-    let scale = ((high - low).length() / (from_high - from_low).length().max(1e-3)).clamp(0.5, 2.0);
-    let laid = turned.transformed(Mat3::IDENTITY, scale, (low + high) / 2.0 - scale * (from_low + from_high) / 2.0);
-    let cameras = six_views(views[0].alpha.width as u32);
-    let allowed = |p: Vec3| cameras.iter().zip(views).all(|(c, v)| pixel(c, p).is_some_and(|k| v.alpha.data[k] > 0.3));
-    let mut all = laid.filtered(|i| allowed(laid.positions[i]));
-    let cell = |p: Vec3| (p * 12.0).floor().as_ivec3();
-    let taken: std::collections::HashSet<_> = all.positions.iter().map(|p| cell(*p)).collect();
-    all.extend(&body.filtered(|i| !taken.contains(&cell(body.positions[i]))));
-    view.gaussians = all;
-    Ok(found)
-}
-
-/// The middle 96% along each axis.
-fn bounds(g: &Gaussians) -> (Vec3, Vec3) {
-    let along = |axis: usize| {
-        let mut v: Vec<f32> = g.positions.iter().map(|p| p[axis]).collect();
-        v.sort_by(f32::total_cmp);
-        (v[v.len() / 50], v[v.len() - 1 - v.len() / 50])
-    };
-    let [x, y, z] = [0, 1, 2].map(along);
-    (Vec3::new(x.0, y.0, z.0), Vec3::new(x.1, y.1, z.1))
-}
-
-/// A coarse search over the elevation, then halved steps around the best.
-fn photo_camera(view: &OneView, body: &Gaussians) -> (Camera, Found) {
-    let size = view.camera.width;
-    let (photo, mask) = shrunk(view);
-    let judge = |degrees: f32| {
-        let start = canonical_camera(degrees.to_radians(), size);
-        let (camera, iou) = fit_intrinsics(body, &start, &view.mask);
-        let seen = splat::render(body, &camera.resized(GRID, GRID), [0.0; 3]);
-        let (mut sum, mut n) = (0.0, 0.0);
-        for ((c, &a), (p, &m)) in seen.color.iter().zip(&seen.alpha).zip(photo.iter().zip(&mask)) {
-            if a > 0.5 && m > 0.5 {
-                sum += (0..3).map(|k| (c[k] / a - p[k]).abs()).sum::<f32>() / 3.0;
-                n += 1.0;
-            }
-        }
-        let colour = if n > 0.0 { sum / n } else { 1.0 };
-        ((1.0 - iou) + COLOUR * colour, camera, iou)
-    };
-    let mut best = (RANGE.0, judge(RANGE.0));
-    let consider = |degrees: f32, best: &mut (f32, (f32, Camera, f32))| {
-        if (RANGE.0..=RANGE.1).contains(&degrees) {
-            let judged = judge(degrees);
-            if judged.0 < best.1.0 {
-                *best = (degrees, judged);
-            }
-        }
-    };
-    let steps = ((RANGE.1 - RANGE.0) / STEP) as usize;
-    (1..=steps).for_each(|i| consider(RANGE.0 + STEP * i as f32, &mut best));
-    let mut step = STEP / 2.0;
-    while step >= 1.0 {
-        let around = best.0;
-        consider(around - step, &mut best);
-        consider(around + step, &mut best);
-        step /= 2.0;
-    }
-    let (degrees, (_, camera, iou)) = best;
-    (camera, Found { elevation: degrees.to_radians(), iou })
-}
-
-/// The photo's crop at the grid's size.
-fn shrunk(view: &OneView) -> (Vec<[f32; 3]>, Vec<f32>) {
-    let (from, to) = (view.mask.width, GRID as usize);
-    let at = |i: usize| ((i / to * 2 + 1) * from / (2 * to)) * from + (i % to * 2 + 1) * from / (2 * to);
-    (0..to * to).map(|i| (view.colour[at(i)], view.mask.data[at(i)])).unzip()
+    let options = splat::Options { seed, ..splat::Options::scaled(FITTING) };
+    Ok(splat::train(start, &targets, &options, progress)?.gaussians.pruned(0.02))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::splat_prior::canonical_camera;
     use crate::photo::{Plane, Rect};
+    use crate::progress::Silent;
     use crate::views::tile;
+    use glam::{Mat3, Vec3};
 
     /// A little truck: a long box, a cab at one end, four colours.
     fn truck() -> Gaussians {
@@ -189,39 +140,45 @@ mod tests {
         }
     }
 
+    fn alike(a: &Plane, b: &[f32]) -> f32 {
+        let (mut both, mut either) = (0, 0);
+        for (x, y) in a.data.iter().zip(b) {
+            both += usize::from(*x > 0.5 && *y > 0.5);
+            either += usize::from(*x > 0.5 || *y > 0.5);
+        }
+        both as f32 / either as f32
+    }
+
     #[test]
-    fn the_hull_holds_the_body_and_little_more() {
+    fn the_hull_holds_the_body_and_shows_its_silhouettes() {
         let (g, views) = (truck(), views_of(&truck()));
-        let body = hull::hull(&views);
-        let ((low, high), (a, b)) = (bounds(&body), bounds(&g));
-        assert!((low - a).abs().max_element() < 0.2 && (high - b).abs().max_element() < 0.2, "{low} {high}, {a} {b}");
+        let body = Hull::of(&views).surface(&views);
+        let corner = |g: &Gaussians, pick: fn(Vec3, Vec3) -> Vec3| g.positions.iter().copied().reduce(pick).unwrap();
+        assert!((corner(&body, Vec3::min) - corner(&g, Vec3::min)).max_element() < 0.05);
+        assert!((corner(&g, Vec3::max) - corner(&body, Vec3::max)).max_element() < 0.05);
         for (camera, view) in six_views(320).iter().zip(&views) {
-            let seen = crate::models::align::silhouette(&body, camera);
-            let (mut both, mut either) = (0, 0);
-            for (x, y) in seen.data.iter().zip(&view.alpha.data) {
-                both += usize::from(*x > 0.5 && *y > 0.5);
-                either += usize::from(*x > 0.5 || *y > 0.5);
-            }
-            assert!(both as f32 > 0.85 * either as f32, "{both} of {either}");
+            let share = alike(&crate::models::align::silhouette(&body, camera), &view.alpha.data);
+            assert!(share > 0.85, "{share}");
         }
     }
 
     #[test]
-    fn the_photos_elevation_is_found_and_the_prior_laid_into_the_views() {
+    fn the_photos_elevation_is_found_and_the_body_is_the_views() {
         let g = truck();
         let views = views_of(&g);
         for (degrees, guess) in [(8.0, 25.0), (32.0, 10.0)] {
             let mut view = photo_of(&g, degrees, guess);
-            let found = settle(&mut view, &views).unwrap();
+            let found = settle(&mut view, &views, 1, &Silent).unwrap();
             assert!(
-                (found.elevation.to_degrees() - degrees).abs() <= 5.0,
+                (found.elevation.to_degrees() - degrees).abs() <= 6.0,
                 "{degrees}: {}",
                 found.elevation.to_degrees()
             );
-            assert!(found.iou > 0.9 && view.elevation == found.elevation, "{found:?}");
-            // What is left is what the views allow, and it covers the body.
-            let ((low, high), (a, b)) = (bounds(&view.gaussians), bounds(&g));
-            assert!((low - a).abs().max_element() < 0.2 && (high - b).abs().max_element() < 0.2, "{low} {high}");
+            assert!(found.filled > 0.9 && found.kept > 0.9 && view.elevation == found.elevation, "{found:?}");
+            for (camera, seen) in six_views(320).iter().zip(&views) {
+                let share = alike(&crate::models::align::silhouette(&view.gaussians, camera), &seen.alpha.data);
+                assert!(share > 0.85, "{share}");
+            }
         }
     }
 
@@ -231,7 +188,7 @@ mod tests {
         let empty = Plane::new(320, 320, 0.0);
         views[2].alpha = empty;
         let mut view = photo_of(&truck(), 8.0, 8.0);
-        assert_eq!(settle(&mut view, &views).unwrap_err().kind, crate::Kind::Usage);
+        assert_eq!(settle(&mut view, &views, 1, &Silent).unwrap_err().kind, crate::Kind::Usage);
         assert_eq!(tile::SIZE, crate::models::zero123::TILE);
     }
 }

@@ -63,7 +63,7 @@ fn by_alpha(part: &RgbaImage) -> View {
 
 fn by_border(part: &RgbImage) -> View {
     let (side, n) = (SIDE as usize, (SIDE * SIDE) as usize);
-    let on_border = |i: usize| i % side == 0 || i / side == 0 || i % side + 1 == side || i / side + 1 == side;
+    let on_border = |i: usize| i.is_multiple_of(side) || i / side == 0 || i % side + 1 == side || i / side + 1 == side;
     let pixel = |i: usize| part.get_pixel((i % side) as u32, (i / side) as u32).0.map(f32::from);
     let ground: [f32; 3] = std::array::from_fn(|c| {
         let mut values: Vec<f32> = (0..n).filter(|i| on_border(*i)).map(|i| pixel(i)[c]).collect();

@@ -27,7 +27,8 @@ mod store;
 #[cfg(test)]
 mod tests;
 mod texture;
-mod xml;
+
+use crate::xml;
 
 pub use add::{Added, add_model};
 pub use check::{Finding, check};

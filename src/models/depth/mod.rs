@@ -108,7 +108,7 @@ mod tests {
         let depth = inverse_depth(&photo, DepthKind::Disparity, &*graph, (60, 45)).unwrap();
         assert_eq!((depth.width, depth.height, range(&depth.data)), (60, 45, (0.0, 1.0)));
         // The stub blurs over 7 pixels of 518 and darkens at its border.
-        assert!(depth.at(45, 22) > 0.99 && depth.at(15, 22) < depth.at(45, 22) - 0.5);
+        assert!(depth.at(45, 22) > 0.85 && depth.at(15, 22) < depth.at(45, 22) - 0.5);
         let far = inverse_depth(&photo, DepthKind::Depth, &*graph, (60, 45)).unwrap();
         assert!(far.at(45, 22) < far.at(15, 22), "depth grows where disparity shrinks");
     }

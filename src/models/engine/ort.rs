@@ -3,7 +3,8 @@
 //! One library serves the whole process; what is loaded first stays.
 
 use std::cell::RefCell;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use half::f16;
 use ort::environment::Environment;
@@ -22,13 +23,33 @@ pub(super) fn probe(path: &Path) -> Option<u32> {
     ort::util::probe(path)
 }
 
+/// Bytes of GPU memory that a session may take: with the largest of all, and what the driver keeps, a run stays below 8 GB.
+const GPU_MEMORY: usize = 6 << 30;
+
 /// An ONNX Runtime with a provider that works.
 pub struct Ort {
     environment: Environment,
     name: String,
     provider: Provider,
     /// TensorRT's engines, minutes to build, are kept here.
-    cache: Option<std::path::PathBuf>,
+    cache: Option<PathBuf>,
+}
+
+/// The library and its environment, which are one a process by their own design: who opens them again gets the same.
+static LOADED: Mutex<Option<(PathBuf, Environment)>> = Mutex::new(None);
+
+fn environment(path: &Path, failed: &dyn Fn(&dyn std::fmt::Display) -> Error) -> Result<Environment> {
+    let mut loaded = LOADED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    match &*loaded {
+        Some((first, environment)) if first == path => return Ok(environment.clone()),
+        Some((first, _)) => return Err(failed(&format!("{} is loaded, and stays", first.display()))),
+        None => {}
+    }
+    let builder = ort::init_from(path).map_err(|e| failed(&e))?;
+    let environment = builder.with_telemetry(false).build().map_err(|e| failed(&e))?;
+    environment.set_log_level(ort::logging::LogLevel::Error);
+    *loaded = Some((path.to_owned(), environment.clone()));
+    Ok(environment)
 }
 
 impl Ort {
@@ -39,9 +60,7 @@ impl Ort {
         let failed = |e: &dyn std::fmt::Display| {
             Error::environment(path.display().to_string()).expected("an ONNX Runtime").found(e.to_string())
         };
-        let builder = ort::init_from(&path).map_err(|e| failed(&e))?;
-        let environment = builder.with_telemetry(false).build().map_err(|e| failed(&e))?;
-        environment.set_log_level(ort::logging::LogLevel::Error);
+        let environment = environment(&path, &failed)?;
         let minor = match found.state {
             State::Good(minor) => format!("1.{minor}"),
             _ => "1".into(),
@@ -100,7 +119,11 @@ impl Ort {
             Ok(true) => Ok(()),
             _ => Err(failed("a library built without it".into())),
         };
-        let cuda = || ep::CUDA::default().with_arena_extend_strategy(ep::ArenaExtendStrategy::SameAsRequested);
+        let cuda = || {
+            ep::CUDA::default()
+                .with_arena_extend_strategy(ep::ArenaExtendStrategy::SameAsRequested)
+                .with_memory_limit(GPU_MEMORY)
+        };
         let providers = match self.provider {
             // Memory goes back to the system when a session goes.
             Provider::Auto | Provider::Cpu => vec![ep::CPU::default().with_arena_allocator(false).build()],

@@ -36,9 +36,9 @@ pub struct Entry {
     pub upstream: String,
     #[serde(default)]
     pub kind: Option<DepthKind>,
-    /// About how many numbers a graph's initialisers hold.
+    /// Least and most numbers that a graph's initialisers hold; exporters fold constants differently.
     #[serde(default)]
-    pub weights: BTreeMap<Role, u64>,
+    pub weights: BTreeMap<Role, [u64; 2]>,
     /// SHA-256, lower case, of every file: graphs and external data.
     #[serde(default)]
     pub pins: Vec<String>,
@@ -49,9 +49,6 @@ pub struct Entry {
 pub struct Catalogue {
     pub entries: Vec<Entry>,
 }
-
-/// How far the number of weights may be from what an entry says.
-const TOLERANCE: f64 = 0.06;
 
 impl Catalogue {
     /// # Errors
@@ -87,12 +84,11 @@ impl Catalogue {
         self.of(family).find(|e| !sha256.is_empty() && sha256.iter().all(|s| e.pins.iter().any(|p| p == s)))
     }
 
-    /// The network that has about these numbers of weights.
+    /// The network that has such numbers of weights.
     pub fn likely(&self, family: Family, weights: &BTreeMap<Role, u64>) -> Option<&Entry> {
-        let near = |(role, &expected): (&Role, &u64)| {
-            weights.get(role).is_some_and(|&n| (n as f64 / expected as f64 - 1.0).abs() < TOLERANCE)
-        };
-        self.of(family).find(|e| !e.weights.is_empty() && e.weights.iter().all(near))
+        let fits =
+            |(role, [least, most]): (&Role, &[u64; 2])| weights.get(role).is_some_and(|n| (least..=most).contains(&n));
+        self.of(family).find(|e| !e.weights.is_empty() && e.weights.iter().all(fits))
     }
 
     fn of(&self, family: Family) -> impl Iterator<Item = &Entry> {

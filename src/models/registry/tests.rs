@@ -57,7 +57,7 @@ fn a_network_is_imported_listed_verified_and_removed() {
     let made = bench.import(&trusting(&sam())).unwrap();
     assert_eq!((made.family, made.id.as_str(), made.pinned), (Family::Sam2Samexporter, "sam2-samexporter", false));
     assert_eq!((made.licence.as_str(), made.pin_source()), ("unknown", "unverified"));
-    assert_eq!(bench.registry.list().unwrap(), [made.clone()]);
+    assert_eq!(bench.registry.list().unwrap(), std::slice::from_ref(&made));
     let network = bench.registry.verified(&made).unwrap();
     assert!(network.path(Role::Decoder).unwrap().ends_with("sam2_decoder.onnx"));
     assert!(network.path(Role::Depth).is_err());

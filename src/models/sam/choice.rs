@@ -43,7 +43,7 @@ pub(super) fn shape(candidate: &Candidate, fit: Fit) -> Shape {
     let (_, found) = regions(w, h, |i| cells[i], |_| 0.0);
     let area: usize = found.iter().map(|r: &Region| r.pixels).sum();
     let largest = found.iter().map(|r| r.pixels).max().unwrap_or(0);
-    let on_border = |i: &usize| i % w == 0 || i / w == 0 || i % w + 1 == w || i / w + 1 == h;
+    let on_border = |i: &usize| i.is_multiple_of(w) || i / w == 0 || i % w + 1 == w || i / w + 1 == h;
     let (border, covered) = (0..w * h).filter(on_border).fold((0, 0), |(n, c), i| (n + 1, c + usize::from(cells[i])));
     Shape {
         share: area as f32 / (w * h) as f32,

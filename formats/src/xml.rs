@@ -1,4 +1,4 @@
-//! The little XML that a CDB needs: text escaped on the way out, a tree on the way in.
+//! The little XML that metadata needs: text escaped on the way out, a tree on the way in.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -6,7 +6,7 @@ use quick_xml::events::{BytesStart, Event};
 use crate::{Error, Result};
 
 const FORMAT: &str = "XML";
-/// Deeper nesting is refused: no file of a CDB comes near.
+/// Deeper nesting is refused: no file that Orb reads comes near.
 const MAX_DEPTH: usize = 64;
 
 /// An element: name as written (with its prefix), attributes, children, and the text directly inside.

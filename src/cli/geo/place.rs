@@ -1,0 +1,478 @@
+//! From options and photo to a place, a heading and a size, each with what it is known to.
+
+use std::fs::File;
+use std::io::BufReader;
+
+use super::manifest::LINE_KEY;
+use super::options::{OriginIs, Wanted};
+use crate::audit::record;
+use crate::audit::statement::{Input, Param};
+use crate::export::ToMetres;
+use crate::geo::dem::{Dem, Fit};
+use crate::geo::scale::{ASSUMED_CAMERA_HEIGHT, By, Hints, Measured};
+use crate::geo::{
+    self, AltDatum, Extents, Geodetic, HeadingSource, Height, Placement, Scale, Uncertainty, View, footprint, magnetic,
+    sight,
+};
+use crate::photo::{AltitudeAbove, Exif, Photo};
+use crate::pipeline::Reconstruction;
+use crate::{Error, Result};
+
+/// A position to start from.
+struct Anchor {
+    latitude: f64,
+    longitude: f64,
+    height: Option<f64>,
+    datum: AltDatum,
+    horizontal: f64,
+    vertical: f64,
+    is: OriginIs,
+    words: String,
+}
+
+/// What a phone's receiver is good to under open sky.
+const GNSS_SIGMA: f64 = 5.0;
+/// Bearings: typed in, of a gimbal, of a hand-held compass, of nobody (uniform).
+const GIVEN_HEADING_SIGMA: f64 = 1.0;
+const GIMBAL_SIGMA: f64 = 3.0;
+const COMPASS_SIGMA: f64 = 5.0;
+const UNKNOWN_HEADING_SIGMA: f64 = 103.9;
+/// Of the network's elevation, degrees (`prior/README.md`), and of a gimbal's pitch.
+const NETWORK_ELEVATION_SIGMA: f64 = 5.8;
+const PITCH_SIGMA: f64 = 1.5;
+
+impl Wanted {
+    fn anchor(&self, exif: &Exif) -> Result<Anchor> {
+        if let Some(o) = &self.origin {
+            let horizontal = self.accuracy.or(o.sigma).unwrap_or(o.rounding / 3f64.sqrt());
+            let datum = o.height_datum.or(self.datum).unwrap_or(AltDatum::Ellipsoid);
+            return Ok(Anchor {
+                latitude: o.latitude,
+                longitude: o.longitude,
+                height: o.height,
+                datum,
+                horizontal,
+                vertical: o.sigma.unwrap_or(o.height_rounding / 3f64.sqrt()),
+                is: self.origin_is.unwrap_or(OriginIs::Subject),
+                words: format!("given as {}", o.form),
+            });
+        }
+        let Some(p) = exif.position else {
+            let found = match &exif.foreign_datum {
+                Some(datum) => format!("a photo whose position is on the datum {datum}"),
+                None => "no --origin and a photo without a GPS position".into(),
+            };
+            return Err(Error::usage("--origin")
+                .expected("a place")
+                .found(found)
+                .advice("Write latitude,longitude,height, for example --origin 34.5523,-118.4712,740"));
+        };
+        let horizontal = self.accuracy.or(p.accuracy).unwrap_or(GNSS_SIGMA);
+        let own = if p.altitude_above == AltitudeAbove::Ellipsoid { AltDatum::Ellipsoid } else { AltDatum::Msl };
+        if p.altitude.is_none() && self.terrain.is_none() {
+            return Err(Error::usage("--origin")
+                .expected("a height")
+                .found("a photo with a position but no altitude")
+                .advice("Give --origin with a height, or --dem FILE."));
+        }
+        Ok(Anchor {
+            latitude: p.latitude,
+            longitude: p.longitude,
+            height: p.altitude,
+            datum: self.datum.filter(|d| *d != AltDatum::Ground).unwrap_or(own),
+            horizontal,
+            // Satellites fix heights about half as well as positions.
+            vertical: p.vertical_accuracy.unwrap_or(2.0 * horizontal),
+            is: self.origin_is.unwrap_or(OriginIs::Camera),
+            words: "from the photo's GPS position".into(),
+        })
+    }
+
+    /// What can be known before the work: that there is a place.
+    ///
+    /// # Errors
+    /// No origin and a photo without a position; a position without a height.
+    pub fn check(&self, exif: &Exif) -> Result<()> {
+        self.anchor(exif).map(drop)
+    }
+}
+
+/// A placed model.
+pub struct Placed {
+    pub placement: Placement,
+    pub uncertainty: Uncertainty,
+    pub scale: Scale,
+    pub to_metres: ToMetres,
+    /// How position, heading and scale were found, a sentence each.
+    pub lineage: Vec<String>,
+    pub warnings: Vec<String>,
+    /// The terrain, for the record.
+    pub inputs: Vec<Input>,
+}
+
+impl Placed {
+    /// For the record. `line` is the key of a manifest's line.
+    pub fn params(&self, line: Option<&str>) -> Vec<(String, Param)> {
+        let (o, u) = (&self.placement.origin, &self.uncertainty);
+        let mut all = vec![
+            ("latitude", o.latitude.to_string()),
+            ("longitude", o.longitude.to_string()),
+            ("ellipsoidal_height_m", o.height.to_string()),
+            ("geoid_egm96_m", format!("{:.3}", geo::geoid::undulation(o.latitude, o.longitude))),
+            ("heading_deg", self.placement.heading.to_string()),
+            ("heading_source", self.placement.heading_source.label().into()),
+            ("metres_per_unit", self.scale.metres_per_unit.to_string()),
+            ("scale_source", self.scale.source.label().into()),
+            ("horizontal_sigma_m", format!("{:.4}", u.horizontal)),
+            ("vertical_sigma_m", format!("{:.4}", u.vertical)),
+            ("heading_sigma_deg", format!("{:.3}", u.heading)),
+            ("scale_sigma_percent", format!("{:.3}", u.scale * 100.0)),
+            ("georeference", record::printable(&self.lineage.join(" "))),
+        ];
+        all.extend(line.map(|key| (LINE_KEY, key.to_owned())));
+        all.into_iter().map(|(name, value)| (name.to_owned(), Param::Text(value))).collect()
+    }
+}
+
+/// Places a reconstruction; with a terrain that the base conforms to, bends its meshes and Gaussians. `year` is the
+/// decimal year for the magnetic model where the photo has no date.
+///
+/// # Errors
+/// No usable scale; a terrain that does not cover the footprint.
+pub fn place(mut wanted: Wanted, photo: &Photo, done: &mut Reconstruction, year: f64) -> Result<Placed> {
+    let exif = &photo.exif;
+    let finest = done.model.levels.first().ok_or_else(|| Error::usage(&photo.name).found("no surface"))?;
+    let extents = Extents::of(finest.mesh.positions.iter().map(|p| p.as_dvec3().to_array()))
+        .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
+    let mut warnings = Vec::new();
+    let view = view(photo, done);
+    let scale = geo::metres_per_unit(&hints(&wanted, exif), &extents, &view)?;
+    if scale.contradictory {
+        warnings.push(format!("what gives the scale contradicts itself: {}", scale.words()));
+    }
+    let to_metres = ToMetres::new(&finest.mesh, scale.metres_per_unit);
+    let anchor = wanted.anchor(exif)?;
+    let column = f64::from(done.prior.crop.x + done.prior.crop.width / 2.0);
+    let heading =
+        heading(&wanted, exif, &anchor, year, |axis| sight::bearing_of_subject(axis, column, &view), &mut warnings);
+    let known = Uncertainty {
+        horizontal: anchor.horizontal,
+        vertical: anchor.vertical,
+        heading: heading.sigma,
+        scale: scale.sigma,
+    };
+
+    // The anchor above the ellipsoid; a height above ground waits for the terrain.
+    let anchored = match (anchor.height, anchor.datum) {
+        (Some(h), AltDatum::Ground) => Height { ellipsoidal: h, sigma: anchor.vertical },
+        (Some(h), datum) => geo::to_ellipsoid((anchor.latitude, anchor.longitude), h, anchor.vertical, datum, None)?,
+        (None, _) => Height { ellipsoidal: 0.0, sigma: 0.0 },
+    };
+    let at = Geodetic { latitude: anchor.latitude, longitude: anchor.longitude, height: anchored.ellipsoidal };
+    let known = Uncertainty { vertical: anchored.sigma, ..known };
+    let mut lineage = vec![];
+    let (mut origin, mut uncertainty) = match anchor.is {
+        OriginIs::Subject => {
+            lineage.push(format!("Position of the subject {}, height above {}.", anchor.words, anchor.datum.words()));
+            (at, known)
+        }
+        OriginIs::Camera => {
+            let stand = sight::stand(&view, &extents, &scale);
+            if heading.source == HeadingSource::Assumed {
+                warnings.push(format!(
+                    "no direction is known: the subject is placed {:.1} m north of the camera; give --heading",
+                    stand.across
+                ));
+            }
+            lineage.push(format!(
+                "Position of the camera {}, height above {}; the subject computed {:.1} m away on a bearing of {:.1} degrees, \
+                 {:.1} m below.",
+                anchor.words, anchor.datum.words(), stand.across, heading.degrees, stand.above
+            ));
+            let point = sight::subject_point(at, heading.degrees, &stand);
+            (point, sight::subject_uncertainty(known, &stand))
+        }
+    };
+    let mut inputs = Vec::new();
+    let placement =
+        |origin| Placement { origin, heading: heading.degrees.rem_euclid(360.0), heading_source: heading.source };
+    if let Some(mut t) = wanted.terrain.take() {
+        let outline = outline(done, &to_metres, &placement(origin));
+        let ground = t.dem.under(&outline.samples(), t.fit)?;
+        let above = if anchor.is == OriginIs::Subject && anchor.datum == AltDatum::Ground {
+            anchor.height.unwrap_or(0.0)
+        } else {
+            0.0
+        };
+        origin.height = ground.ellipsoidal + above;
+        uncertainty.vertical = ground.sigma.hypot(if above == 0.0 { 0.0 } else { anchor.vertical });
+        lineage.push(format!(
+            "Height from the terrain {} ({} under the footprint, above {}).",
+            t.name,
+            t.fit.label(),
+            t.dem.datum.words()
+        ));
+        if t.fit == Fit::Conform {
+            conform(&mut t.dem, &placement(origin), ground.ellipsoidal, &to_metres, done)?;
+        }
+        inputs.push(t.input);
+    }
+    lineage.push(heading.words);
+    lineage.push(format!("Scale: {}.", scale.words()));
+    Ok(Placed { placement: placement(origin), uncertainty, scale, to_metres, lineage, warnings, inputs })
+}
+
+/// The footprint of the finest level.
+pub fn outline(done: &Reconstruction, to_metres: &ToMetres, placement: &Placement) -> footprint::Footprint {
+    let points = done.model.levels.first().map(|l| l.mesh.positions.as_slice()).unwrap_or_default();
+    footprint::of(points.iter().map(|p| to_metres.point(*p)), placement)
+}
+
+fn view(photo: &Photo, done: &Reconstruction) -> View {
+    // The camera that the subject's silhouette fits, not the network's nominal one: they differ by a zoom.
+    let camera = &done.prior.camera;
+    let crop = &done.prior.crop;
+    let view = View {
+        elevation: done.prior.elevation,
+        elevation_sigma: NETWORK_ELEVATION_SIGMA.to_radians(),
+        crop_side: crop.width,
+        photo_width: photo.pixels.width(),
+        photo_height: photo.pixels.height(),
+        canonical_distance: crate::models::splat_prior::DISTANCE,
+        canonical_fov: 2.0 * (camera.width as f32 / 2.0 / camera.fx).atan(),
+        focal_35mm: photo.exif.focal_35mm,
+    };
+    match photo.exif.gimbal.and_then(|g| g.pitch) {
+        Some(pitch) => View {
+            elevation: sight::elevation_by_pitch(pitch, f64::from(crop.y + crop.height / 2.0), &view) as f32,
+            elevation_sigma: PITCH_SIGMA.to_radians(),
+            ..view
+        },
+        None => view,
+    }
+}
+
+/// A length that somebody paced, taped or read off: three hundredths, five centimetres at least.
+fn measured(metres: f64) -> Measured {
+    Measured { metres, sigma: (0.03 * metres).max(0.05), by: By::Operator }
+}
+
+fn hints(wanted: &Wanted, exif: &Exif) -> Hints {
+    // A height above take-off is one above the subject's ground as far as the terrain is level.
+    let flown = exif.gimbal.and_then(|g| g.above_takeoff).filter(|h| *h > 2.0);
+    let by_drone = flown.map(|h| Measured { metres: h, sigma: 2.0 + 0.02 * h, by: By::Drone });
+    let by_exif = exif.subject_distance.map(|d| Measured { metres: d, sigma: 0.3 * d, by: By::Exif });
+    Hints {
+        known: wanted.known.clone(),
+        camera_height: wanted.camera_height.map(measured).or(by_drone).unwrap_or(ASSUMED_CAMERA_HEIGHT),
+        distance: wanted.distance.map(measured).or(by_exif),
+    }
+}
+
+struct Heading {
+    degrees: f64,
+    sigma: f64,
+    source: HeadingSource,
+    words: String,
+}
+
+/// Given; else the gimbal's yaw; else EXIF's direction, made true where it is magnetic; else north. The photo's own
+/// bearings are those of the optical axis, `beside` makes them the subject's.
+fn heading(
+    wanted: &Wanted,
+    exif: &Exif,
+    anchor: &Anchor,
+    year: f64,
+    beside: impl Fn(f64) -> f64,
+    warnings: &mut Vec<String>,
+) -> Heading {
+    let heading = |degrees: f64, sigma, source, words: String| Heading { degrees, sigma, source, words };
+    if let Some(h) = wanted.heading {
+        return heading(h, GIVEN_HEADING_SIGMA, HeadingSource::Given, "Heading given.".into());
+    }
+    if let Some(yaw) = exif.gimbal.and_then(|g| g.yaw) {
+        return heading(
+            beside(yaw),
+            GIMBAL_SIGMA,
+            HeadingSource::Gimbal,
+            format!("Heading from the gimbal's yaw of {yaw} degrees."),
+        );
+    }
+    let Some(written) = exif.image_direction else {
+        return heading(0.0, UNKNOWN_HEADING_SIGMA, HeadingSource::Assumed, "Heading not known, assumed 0.".into());
+    };
+    if !exif.direction_is_magnetic {
+        let words = format!("Heading from the photo's true direction of {written} degrees.");
+        return heading(beside(written), COMPASS_SIGMA, HeadingSource::ExifTrue, words);
+    }
+    let year = exif.date.and_then(|(y, m, d)| magnetic::decimal_year(y, m, d)).unwrap_or(year);
+    let at = Geodetic { latitude: anchor.latitude, longitude: anchor.longitude, height: 0.0 };
+    let field = magnetic::field(at, year);
+    let mut sigma = COMPASS_SIGMA.hypot(field.sigma);
+    if field.out_of_date {
+        // Declination drifts by a fifth of a degree a year in most places.
+        let years = (2025.0 - year).max(year - 2030.0);
+        sigma = sigma.hypot(0.2 * years);
+        warnings.push(format!("the photo is of {year:.1}; the magnetic model holds for 2025 to 2030"));
+    }
+    if field.horizontal < 2000.0 {
+        sigma = UNKNOWN_HEADING_SIGMA;
+        warnings.push("the photo's magnetic direction means nothing so near the magnetic pole; give --heading".into());
+    }
+    let words = format!(
+        "Heading from the photo's magnetic direction of {written} degrees and a declination of {:.2} degrees (WMM2025).",
+        field.declination
+    );
+    heading(beside(written + field.declination), sigma, HeadingSource::ExifMagnetic, words)
+}
+
+/// Moves every vertex and Gaussian by the ground's deviation from `level` below it, the less the higher it is.
+fn conform(
+    dem: &mut Dem<BufReader<File>>,
+    placement: &Placement,
+    level: f64,
+    to_metres: &ToMetres,
+    done: &mut Reconstruction,
+) -> Result<()> {
+    let top = done.model.levels.first().map_or(0.0, |l| to_metres.point(l.mesh.bounds().1)[2]).max(1e-6);
+    let meshes = done.model.levels.iter_mut().flat_map(|l| l.mesh.positions.iter_mut());
+    for p in meshes.chain(done.gaussians.positions.iter_mut()) {
+        let [x, y, z] = to_metres.point(*p);
+        let below = placement.to_geodetic([x, y, 0.0]);
+        let ground = dem.ground(below.latitude, below.longitude)?.ellipsoidal;
+        let share = (1.0 - z / top).clamp(0.0, 1.0);
+        p.z += ((ground - level) * share) as f32 / to_metres.scale;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::photo::{Gimbal, Position};
+
+    fn wanted(origin: Option<&str>, origin_is: Option<OriginIs>, heading: Option<f64>) -> Wanted {
+        Wanted {
+            origin: origin.map(|t| geo::parse_point("--origin", t).unwrap()),
+            origin_is,
+            datum: None,
+            accuracy: None,
+            heading,
+            terrain: None,
+            known: vec![],
+            camera_height: None,
+            distance: None,
+        }
+    }
+
+    /// Every combination of what a photo and the options can say; the rule for each is written out a second time here.
+    #[test]
+    fn every_combination_of_tags_and_options() {
+        let positions = [None, Some(None), Some(Some(AltitudeAbove::Sea)), Some(Some(AltitudeAbove::Ellipsoid))];
+        let mut seen = 0;
+        for position in positions {
+            let exif_position = position.map(|altitude| Position {
+                latitude: 10.0,
+                longitude: 20.0,
+                altitude: altitude.map(|_| 300.0),
+                altitude_above: altitude.unwrap_or(AltitudeAbove::Sea),
+                accuracy: Some(4.7),
+                vertical_accuracy: None,
+            });
+            for (direction, magnetic) in [(None, false), (Some(90.0), false), (Some(90.0), true)] {
+                for yaw in [None, Some(200.0)] {
+                    for origin in [None, Some("34.5,-118.4,740"), Some("geo:34.5,-118.4,740;u=2")] {
+                        for origin_is in [None, Some(OriginIs::Subject), Some(OriginIs::Camera)] {
+                            for given in [None, Some(45.0)] {
+                                let exif = Exif {
+                                    position: exif_position,
+                                    image_direction: direction,
+                                    direction_is_magnetic: magnetic,
+                                    gimbal: yaw.map(|y| Gimbal { yaw: Some(y), ..Default::default() }),
+                                    ..Default::default()
+                                };
+                                let w = wanted(origin, origin_is, given);
+                                one_combination(&w, &exif, origin, yaw);
+                                seen += 1;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert_eq!(seen, 4 * 3 * 2 * 3 * 3 * 2);
+    }
+
+    fn one_combination(w: &Wanted, exif: &Exif, origin: Option<&str>, yaw: Option<f64>) {
+        let anchor = match (origin, &exif.position) {
+            (None, None) => return assert!(w.anchor(exif).is_err_and(|e| e.found.contains("GPS"))),
+            (None, Some(p)) if p.altitude.is_none() => {
+                return assert!(w.anchor(exif).is_err_and(|e| e.found.contains("altitude")));
+            }
+            _ => w.anchor(exif).unwrap(),
+        };
+        match origin {
+            Some(text) => {
+                assert_eq!((anchor.latitude, anchor.height, anchor.datum), (34.5, Some(740.0), AltDatum::Ellipsoid));
+                assert_eq!(anchor.is, w.origin_is.unwrap_or(OriginIs::Subject));
+                assert_eq!(anchor.horizontal == 2.0, text.starts_with("geo:"));
+            }
+            None => {
+                let datum = match exif.position.unwrap().altitude_above {
+                    AltitudeAbove::Sea => AltDatum::Msl,
+                    AltitudeAbove::Ellipsoid => AltDatum::Ellipsoid,
+                };
+                assert_eq!((anchor.latitude, anchor.height, anchor.datum), (10.0, Some(300.0), datum));
+                assert_eq!((anchor.is, anchor.horizontal), (w.origin_is.unwrap_or(OriginIs::Camera), 4.7));
+            }
+        }
+        let mut warnings = vec![];
+        let h = heading(w, exif, &anchor, 2026.5, |axis| axis + 1.0, &mut warnings);
+        let at = Geodetic { latitude: anchor.latitude, longitude: anchor.longitude, height: 0.0 };
+        let (source, degrees) = match (w.heading, yaw, exif.image_direction) {
+            (Some(g), _, _) => (HeadingSource::Given, g),
+            (_, Some(y), _) => (HeadingSource::Gimbal, y + 1.0),
+            (_, _, Some(d)) if exif.direction_is_magnetic => {
+                (HeadingSource::ExifMagnetic, d + 1.0 + magnetic::field(at, 2026.5).declination)
+            }
+            (_, _, Some(d)) => (HeadingSource::ExifTrue, d + 1.0),
+            _ => (HeadingSource::Assumed, 0.0),
+        };
+        assert_eq!(h.source, source);
+        assert!((h.degrees - degrees).abs() < 1e-9 && h.sigma > 0.0 && warnings.is_empty());
+    }
+
+    #[test]
+    fn a_compass_is_doubted_where_the_model_ends() {
+        let exif = |date| Exif {
+            image_direction: Some(0.0),
+            direction_is_magnetic: true,
+            date: Some(date),
+            ..Default::default()
+        };
+        let w = wanted(Some("34.5,-118.4,0"), None, None);
+        let anchor = w.anchor(&exif((2026, 1, 1))).unwrap();
+        let mut warnings = vec![];
+        let now = heading(&w, &exif((2026, 1, 1)), &anchor, 2026.0, |a| a, &mut warnings).sigma;
+        assert!(warnings.is_empty());
+        let old = heading(&w, &exif((2010, 1, 1)), &anchor, 2026.0, |a| a, &mut warnings).sigma;
+        assert!(old > now && warnings.len() == 1);
+        let w = wanted(Some("86,139,0"), None, None);
+        let anchor = w.anchor(&exif((2026, 1, 1))).unwrap();
+        let pole = heading(&w, &exif((2026, 1, 1)), &anchor, 2026.0, |a| a, &mut warnings).sigma;
+        assert!(pole > 90.0 && warnings.len() == 2);
+    }
+
+    #[test]
+    fn the_camera_height_is_taken_from_whom_it_is_known_to() {
+        let flown =
+            |h| Exif { gimbal: Some(Gimbal { above_takeoff: Some(h), ..Default::default() }), ..Default::default() };
+        let by = |w: &Wanted, exif: &Exif| hints(w, exif).camera_height.by;
+        let mut w = wanted(None, None, None);
+        assert_eq!(by(&w, &Exif::default()), By::Assumption);
+        assert_eq!(by(&w, &flown(40.0)), By::Drone);
+        assert_eq!(by(&w, &flown(0.3)), By::Assumption);
+        w.camera_height = Some(2.0);
+        assert_eq!(by(&w, &flown(40.0)), By::Operator);
+    }
+}

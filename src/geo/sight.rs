@@ -1,0 +1,114 @@
+//! From the camera's place to the subject's: direction, elevation, distance.
+
+use super::{Enu, Extents, Geodetic, Scale, Uncertainty, View};
+
+/// How the camera stood to the subject, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// Over the ground, camera to the subject's middle.
+    pub across: f64,
+    pub across_sigma: f64,
+    /// Camera above the ground under the subject.
+    pub above: f64,
+    pub above_sigma: f64,
+}
+
+/// From the scale and the view that it was measured in.
+pub fn stand(view: &View, extents: &Extents, scale: &Scale) -> Stand {
+    let (sin, cos) = f64::from(view.elevation).sin_cos();
+    let slant = view.distance() * scale.metres_per_unit;
+    let above = view.camera_above_ground(extents) * scale.metres_per_unit;
+    let (_, focal, _) = view.focal();
+    // A known camera height fixes `above`, a known dimension does not: the larger of both is said.
+    Stand {
+        across: slant * cos,
+        across_sigma: slant * (cos * scale.sigma.hypot(focal)).hypot(sin * view.elevation_sigma),
+        above,
+        above_sigma: (above * scale.sigma).hypot(slant * cos * view.elevation_sigma).min(above.abs().max(slant)),
+    }
+}
+
+/// The bearing of the subject frame's +Y: that of the optical axis and the angle by which the crop's middle lies beside
+/// it, degrees. `column` is the crop's middle in pixels from the photo's left.
+pub fn bearing_of_subject(axis: f64, column: f64, view: &View) -> f64 {
+    let beside = (column - f64::from(view.photo_width) / 2.0).atan2(view.focal().0);
+    (axis + beside.to_degrees()).rem_euclid(360.0)
+}
+
+/// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and
+/// the row of the crop's middle.
+pub fn elevation_by_pitch(pitch: f64, row: f64, view: &View) -> f64 {
+    let below_axis = (row - f64::from(view.photo_height) / 2.0).atan2(view.focal().0);
+    -pitch.to_radians() + below_axis
+}
+
+/// The ground point under a subject that the camera sees along `bearing` (degrees from true north).
+pub fn subject_point(camera: Geodetic, bearing: f64, stand: &Stand) -> Geodetic {
+    let (sin, cos) = bearing.to_radians().sin_cos();
+    camera.offset(Enu { east: stand.across * sin, north: stand.across * cos, up: -stand.above })
+}
+
+/// Of that point: the camera's own deviation, the distance's along the line, the bearing's across it (the larger of the
+/// two); vertically the camera's and its height's.
+pub fn subject_uncertainty(camera: Uncertainty, stand: &Stand) -> Uncertainty {
+    // A bearing that is not known at all puts the subject anywhere on the circle, not further.
+    let turned = stand.across * camera.heading.to_radians().min(std::f64::consts::SQRT_2);
+    Uncertainty {
+        horizontal: camera.horizontal.hypot(turned.max(stand.across_sigma)),
+        vertical: camera.vertical.hypot(stand.above_sigma),
+        ..camera
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scale::{ASSUMED_CAMERA_HEIGHT, By, Hints, Measured, metres_per_unit};
+    use super::*;
+
+    fn view() -> View {
+        View {
+            elevation: 20f32.to_radians(),
+            elevation_sigma: 0.02,
+            crop_side: 400.0,
+            photo_width: 4000,
+            photo_height: 3000,
+            canonical_distance: 3.9,
+            canonical_fov: 30f32.to_radians(),
+            focal_35mm: Some(28.0),
+        }
+    }
+
+    #[test]
+    fn the_subject_lies_where_the_camera_looks() {
+        let extents = Extents { height: 1.0, length: 1.0, width: 1.0, centre_above_ground: 0.5 };
+        let hints = Hints {
+            known: vec![],
+            camera_height: ASSUMED_CAMERA_HEIGHT,
+            distance: Some(Measured { metres: 50.0, sigma: 0.5, by: By::Operator }),
+        };
+        let scale = metres_per_unit(&hints, &extents, &view()).unwrap();
+        let s = stand(&view(), &extents, &scale);
+        assert!((s.across - 50.0 * 20f64.to_radians().cos()).abs() < 1e-4, "{s:?}");
+        assert!((s.above - 50.0 * 20f64.to_radians().sin() - 0.5 * scale.metres_per_unit).abs() < 1e-4);
+        let camera = Geodetic { latitude: 34.5523, longitude: -118.4712, height: 800.0 };
+        for bearing in [0.0, 90.0, 200.0] {
+            let at = subject_point(camera, bearing, &s);
+            let from = camera.local(at.to_ecef());
+            let off = super::super::normalised_longitude(from.east.atan2(from.north).to_degrees() - bearing);
+            assert!(off.abs() < 1e-6);
+            assert!((from.east.hypot(from.north) - s.across).abs() < 1e-6 && (from.up + s.above).abs() < 1e-6);
+        }
+        let u = subject_uncertainty(Uncertainty { horizontal: 5.0, vertical: 8.0, heading: 5.0, scale: 0.0 }, &s);
+        assert!(u.horizontal > 6.4 && u.horizontal < 6.7 && u.vertical > 8.0, "{u:?}");
+    }
+
+    #[test]
+    fn a_subject_beside_the_axis() {
+        let v = view();
+        let f = v.focal().0;
+        assert!((bearing_of_subject(350.0, 2000.0 + f, &v) - 35.0).abs() < 1e-9);
+        assert!((bearing_of_subject(10.0, 2000.0 - f, &v) - 325.0).abs() < 1e-9);
+        assert!((elevation_by_pitch(-30.0, 1500.0, &v).to_degrees() - 30.0).abs() < 1e-9);
+        assert!((elevation_by_pitch(-30.0, 1500.0 + f, &v).to_degrees() - 75.0).abs() < 1e-9);
+    }
+}

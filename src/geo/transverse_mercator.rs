@@ -1,0 +1,142 @@
+//! Transverse Mercator and polar stereographic projections of WGS84.
+//!
+//! Karney, "Transverse Mercator with an accuracy of a few nanometers", J. Geodesy 85 (2011): Krüger's series to the sixth
+//! order in the third flattening. The polar stereographic projection shares its conformal latitude.
+
+use super::wgs84::{A, E2, F, sin_cos_degrees};
+
+/// Third flattening.
+const N: f64 = F / (2.0 - F);
+const N2: f64 = N * N;
+const N3: f64 = N2 * N;
+const N4: f64 = N3 * N;
+const N5: f64 = N4 * N;
+const N6: f64 = N5 * N;
+
+/// Rectifying radius (eq. 14).
+const RADIUS: f64 = A / (1.0 + N) * (1.0 + N2 / 4.0 + N4 / 64.0 + N6 / 256.0);
+
+/// Eq. 35.
+const ALPHA: [f64; 6] = [
+    N / 2.0 - N2 * 2.0 / 3.0 + N3 * 5.0 / 16.0 + N4 * 41.0 / 180.0 - N5 * 127.0 / 288.0 + N6 * 7891.0 / 37800.0,
+    N2 * 13.0 / 48.0 - N3 * 3.0 / 5.0 + N4 * 557.0 / 1440.0 + N5 * 281.0 / 630.0 - N6 * 1_983_433.0 / 1_935_360.0,
+    N3 * 61.0 / 240.0 - N4 * 103.0 / 140.0 + N5 * 15061.0 / 26880.0 + N6 * 167_603.0 / 181_440.0,
+    N4 * 49561.0 / 161_280.0 - N5 * 179.0 / 168.0 + N6 * 6_601_661.0 / 7_257_600.0,
+    N5 * 34729.0 / 80640.0 - N6 * 3_418_889.0 / 1_995_840.0,
+    N6 * 212_378_941.0 / 319_334_400.0,
+];
+
+/// Eq. 36.
+const BETA: [f64; 6] = [
+    N / 2.0 - N2 * 2.0 / 3.0 + N3 * 37.0 / 96.0 - N4 / 360.0 - N5 * 81.0 / 512.0 + N6 * 96199.0 / 604_800.0,
+    N2 / 48.0 + N3 / 15.0 - N4 * 437.0 / 1440.0 + N5 * 46.0 / 105.0 - N6 * 1_118_711.0 / 3_870_720.0,
+    N3 * 17.0 / 480.0 - N4 * 37.0 / 840.0 - N5 * 209.0 / 4480.0 + N6 * 5569.0 / 90720.0,
+    N4 * 4397.0 / 161_280.0 - N5 * 11.0 / 504.0 - N6 * 830_251.0 / 7_257_600.0,
+    N5 * 4583.0 / 161_280.0 - N6 * 108_847.0 / 3_991_680.0,
+    N6 * 20_648_693.0 / 638_668_800.0,
+];
+
+/// Of UTM (transverse Mercator) and of UPS (stereographic).
+const UTM_SCALE: f64 = 0.9996;
+const UPS_SCALE: f64 = 0.994;
+
+fn e() -> f64 {
+    E2.sqrt()
+}
+
+/// tan of the conformal latitude from tan of the geographic latitude (eq. 7-9).
+fn conformal(tau: f64) -> f64 {
+    let root = tau.hypot(1.0);
+    let sigma = (e() * (e() * tau / root).atanh()).sinh();
+    tau * sigma.hypot(1.0) - sigma * root
+}
+
+/// Its inverse by Newton's method (eq. 19-21).
+fn geographic(conformal_tau: f64) -> f64 {
+    if !conformal_tau.is_finite() || conformal_tau.abs() > 1e17 {
+        return conformal_tau;
+    }
+    let mut tau = conformal_tau / (1.0 - E2);
+    for _ in 0..5 {
+        let found = conformal(tau);
+        let step =
+            (conformal_tau - found) / found.hypot(1.0) * (1.0 + (1.0 - E2) * tau * tau) / ((1.0 - E2) * tau.hypot(1.0));
+        tau += step;
+        if step.abs() <= 1e-16 * tau.abs().max(1.0) {
+            break;
+        }
+    }
+    tau
+}
+
+/// Sum of c_j times the sine of 2j (ξ + iη) by Clenshaw, given sine and cosine of 2ξ and hyperbolic ones of 2η.
+fn complex_sine_series(c: &[f64; 6], [sin, cos, sinh, cosh]: [f64; 4]) -> (f64, f64) {
+    // 2 cos(2ζ) and sin(2ζ) of the complex ζ.
+    let (ar, ai) = (2.0 * cos * cosh, -2.0 * sin * sinh);
+    let (mut y1, mut y2) = ((0.0, 0.0), (0.0, 0.0));
+    for &c in c.iter().rev() {
+        let y0 = (ar * y1.0 - ai * y1.1 - y2.0 + c, ar * y1.1 + ai * y1.0 - y2.1);
+        (y2, y1) = (y1, y0);
+    }
+    let (sr, si) = (sin * cosh, cos * sinh);
+    (sr * y1.0 - si * y1.1, sr * y1.1 + si * y1.0)
+}
+
+/// Degrees → metres east of the central meridian and north of the equator, scale 0.9996.
+/// Within 35° of the central meridian the series is good to nanometres.
+pub fn utm_forward(latitude: f64, longitude_off: f64) -> (f64, f64) {
+    let (sin_lat, cos_lat) = sin_cos_degrees(latitude);
+    let (sin_lon, cos_lon) = sin_cos_degrees(longitude_off);
+    let tau = conformal(sin_lat / cos_lat.max(1e-30));
+    let r = tau.hypot(cos_lon);
+    let xi = tau.atan2(cos_lon);
+    let (sinh, cosh) = (sin_lon / r, (sin_lon / r).hypot(1.0));
+    let eta = sinh.asinh();
+    let (s, c) = (tau / r, cos_lon / r);
+    let doubled = [2.0 * s * c, (c - s) * (c + s), 2.0 * sinh * cosh, 1.0 + 2.0 * sinh * sinh];
+    let (d_xi, d_eta) = complex_sine_series(&ALPHA, doubled);
+    (UTM_SCALE * RADIUS * (eta + d_eta), UTM_SCALE * RADIUS * (xi + d_xi))
+}
+
+/// The inverse of [`utm_forward`].
+pub fn utm_reverse(east: f64, north: f64) -> (f64, f64) {
+    let (xi, eta) = (north / (UTM_SCALE * RADIUS), east / (UTM_SCALE * RADIUS));
+    let (s, c) = (2.0 * xi).sin_cos();
+    let doubled = [s, c, (2.0 * eta).sinh(), (2.0 * eta).cosh()];
+    let (d_xi, d_eta) = complex_sine_series(&BETA, doubled);
+    let (xi, eta) = (xi - d_xi, eta - d_eta);
+    let (sin, cos) = xi.sin_cos();
+    let sinh = eta.sinh();
+    let tau = geographic(sin / sinh.hypot(cos));
+    (tau.atan().to_degrees(), sinh.atan2(cos).to_degrees())
+}
+
+/// 2 k₀ a / c of the stereographic projection, c = √((1 + e)^(1 + e) (1 − e)^(1 − e)) (Snyder 1987, eq. 21-33).
+fn stereographic_scale() -> f64 {
+    2.0 * UPS_SCALE * A / ((1.0 - F) * (e() * e().atanh()).exp())
+}
+
+/// Degrees → metres from the pole along 90° E and along 180° (north) or 0° (south): false origin not added.
+pub fn ups_forward(north: bool, latitude: f64, longitude: f64) -> (f64, f64) {
+    let (sin_lat, cos_lat) = sin_cos_degrees(if north { latitude } else { -latitude });
+    let (sin_lon, cos_lon) = sin_cos_degrees(longitude);
+    let tau = conformal(sin_lat / cos_lat.max(1e-30));
+    let t = if tau >= 0.0 { 1.0 / (tau.hypot(1.0) + tau) } else { tau.hypot(1.0) - tau };
+    // At the pole itself the tangent is a large number, not infinite.
+    let rho = if cos_lat == 0.0 { 0.0 } else { stereographic_scale() * t };
+    (rho * sin_lon, if north { -rho * cos_lon } else { rho * cos_lon })
+}
+
+/// The inverse of [`ups_forward`]; the longitude of the pole is 0.
+pub fn ups_reverse(north: bool, east: f64, along: f64) -> (f64, f64) {
+    let rho = east.hypot(along);
+    let down = if north { -along } else { along };
+    let latitude = if rho == 0.0 {
+        90.0
+    } else {
+        let t = rho / stereographic_scale();
+        geographic((1.0 / t - t) / 2.0).atan().to_degrees()
+    };
+    let longitude = if rho == 0.0 { 0.0 } else { east.atan2(down).to_degrees() };
+    (if north { latitude } else { -latitude }, longitude)
+}

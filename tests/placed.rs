@@ -1,0 +1,347 @@
+//! Corners of a known box through every georeferenced format, read back by programs that are not ours.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use glam::{Vec2, Vec3};
+use orb::audit::Marking;
+use orb::export::{self, Labels, ToMetres};
+use orb::geo::sidecar::{self, Georeference};
+use orb::geo::{Ecef, Geodetic, HeadingSource, Placement, Uncertainty, footprint};
+use orb::mesh::{Level, Mesh};
+use orb_formats::cdb;
+
+/// Metres a unit of the box.
+const SCALE: f64 = 4.2;
+
+/// A box of 0.5 × 1.0 × 0.35 units beside the unit frame's middle: 2.1 × 4.2 × 1.47 m, six faces of their own vertices.
+fn solid() -> Level {
+    let (low, high) = (Vec3::new(-0.2, -0.4, -0.1), Vec3::new(0.3, 0.6, 0.25));
+    let mut mesh = Mesh { positions: vec![], normals: vec![], uvs: vec![], triangles: vec![] };
+    for axis in 0..3 {
+        for side in [0, 1] {
+            let first = mesh.positions.len() as u32;
+            let normal =
+                Vec3::from_array(std::array::from_fn(|k| if k == axis { 2.0 * side as f32 - 1.0 } else { 0.0 }));
+            for (u, v) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+                let mut at = [0; 3];
+                (at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]) = (side, u, v);
+                mesh.positions
+                    .push(Vec3::from_array(std::array::from_fn(|k| if at[k] == 1 { high[k] } else { low[k] })));
+                mesh.normals.push(normal);
+                mesh.uvs.push(Vec2::new(u as f32, v as f32));
+            }
+            let turn = |[a, b, c]: [u32; 3]| if side == 1 { [a, b, c] } else { [a, c, b] };
+            mesh.triangles.extend([[0, 1, 2], [0, 2, 3]].map(|t| turn(t.map(|i| first + i))));
+        }
+    }
+    let texture = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([(x * 30) as u8, (y * 30) as u8, 90]));
+    Level { mesh, texture, error: 0.0, error_to_coarser: 1.2, seen: 1.0, mirrored: 0.0 }
+}
+
+/// The eight corners in the subject frame, metres: the origin lies under the middle of the box.
+fn corners() -> Vec<[f64; 3]> {
+    let (x, y, z) = (0.25 * SCALE, 0.5 * SCALE, 0.35 * SCALE);
+    let mut all = Vec::new();
+    for up in [0.0, z] {
+        all.extend([[-x, -y, up], [x, -y, up], [x, y, up], [-x, y, up]]);
+    }
+    all
+}
+
+fn labels() -> Labels {
+    Labels {
+        stem: "box".into(),
+        marking: Marking::Unclassified,
+        utc: "2026-11-21T04:05:06.789Z".into(),
+        facc: "UA005".into(),
+        fsc: 0,
+        heading_source: "given",
+        scale_source: "known-length",
+    }
+}
+
+fn places() -> [Placement; 4] {
+    let at = |latitude, longitude, height, heading| Placement {
+        origin: Geodetic { latitude, longitude, height },
+        heading,
+        heading_source: HeadingSource::Given,
+    };
+    [
+        at(34.5523, -118.4712, 740.0, 213.5),
+        at(-77.85, 166.6667, 24.25, 10.0),
+        at(0.0001, 179.999_97, -12.5, 90.0),
+        at(51.501_364, -0.141_89, 60.0, 0.0),
+    ]
+}
+
+/// What a program prints; `None` where it is not installed and not required.
+fn ask(program: &str, args: &[&str], input: &str) -> Option<String> {
+    use std::io::Write;
+    let child = Command::new(program)
+        .args(args)
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn();
+    let Ok(mut child) = child else {
+        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "cannot run: {program} is not installed");
+        eprintln!("skipped: {program} is not installed");
+        return None;
+    };
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    let out = child.wait_with_output().unwrap();
+    Some(format!("{}{}", String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr)))
+}
+
+fn numbers(line: &str) -> Vec<f64> {
+    line.split_whitespace().filter_map(|w| w.parse().ok()).collect()
+}
+
+/// Vertices that OpenSceneGraph reads from an OpenFlight file, each once.
+fn vertices(flt: &Path) -> Option<Vec<[f64; 3]>> {
+    let text = flt.with_extension("osgt");
+    ask("osgconv", &[flt.to_str().unwrap(), text.to_str().unwrap()], "")?;
+    let scene =
+        std::fs::read_to_string(&text).unwrap_or_else(|e| panic!("osgconv did not read {}: {e}", flt.display()));
+    let mut all: Vec<[f64; 3]> = Vec::new();
+    for block in scene.split("VertexArray TRUE {").skip(1) {
+        let body = block.split("vector ").nth(1).unwrap_or_default();
+        for line in body.lines().skip(1).take_while(|l| !l.contains('}')) {
+            if let [x, y, z] = numbers(line)[..] {
+                let near = |p: &[f64; 3]| (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - z).abs() < 1e-4;
+                if !all.iter().any(near) {
+                    all.push([x, y, z]);
+                }
+            }
+        }
+    }
+    Some(all)
+}
+
+/// East, north, up of a point to earth-centred coordinates, by GeographicLib.
+fn ecef_by_cartconvert(origin: (f64, f64, f64), enu: &[[f64; 3]]) -> Option<Vec<Ecef>> {
+    let (lat, lon, h) = (format!("{:.15}", origin.0), format!("{:.15}", origin.1), format!("{:.6}", origin.2));
+    let rows: String = enu.iter().map(|p| format!("{} {} {}\n", p[0], p[1], p[2])).collect();
+    let geodetic = ask("CartConvert", &["-r", "-l", &lat, &lon, &h, "-p", "9"], &rows)?;
+    let geocentric = ask("CartConvert", &["-p", "9"], &geodetic)?;
+    Some(geocentric.lines().map(numbers).map(|v| Ecef { x: v[0], y: v[1], z: v[2] }).collect())
+}
+
+/// Every true corner has a read one within a millimetre, and the other way round.
+fn same_corners(what: &str, placement: &Placement, read: &[Ecef]) {
+    assert_eq!(read.len(), 8, "{what}: {read:?}");
+    let truth: Vec<Ecef> = corners().iter().map(|c| placement.to_ecef(*c)).collect();
+    let apart = |a: &Ecef, b: &Ecef| (a.x - b.x).hypot(a.y - b.y).hypot(a.z - b.z);
+    let mut worst = 0f64;
+    for (some, others) in [(&truth[..], read), (read, &truth[..])] {
+        for p in some {
+            worst = worst.max(others.iter().map(|q| apart(p, q)).fold(f64::INFINITY, f64::min));
+        }
+    }
+    assert!(worst < 1e-3, "{what}: a corner is {worst} m off");
+    eprintln!("{what} at {:?}: corners within {:.1e} m", placement.origin, worst);
+}
+
+fn write(folder: &Path, files: &[orb_formats::File]) {
+    for file in files {
+        let to = folder.join(&file.path);
+        std::fs::create_dir_all(to.parent().unwrap()).unwrap();
+        std::fs::write(to, &file.bytes).unwrap();
+    }
+}
+
+#[test]
+fn openflight_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let files = export::flt(std::slice::from_ref(&level), &to_metres, &placement, &labels()).unwrap();
+        write(dir.path(), &files);
+        // The header has a place for latitude and longitude but none for a height, and OpenSceneGraph skips it: those of
+        // the format come from Orb's own reader, the height from the placement.
+        let header = orb_formats::openflight::read(&files[0].bytes).unwrap();
+        let (lat, lon) = header.origin.unwrap();
+        let Some(read) = vertices(&dir.path().join("box.flt")) else { return };
+        let Some(ecef) = ecef_by_cartconvert((lat, lon, placement.origin.height), &read) else { return };
+        same_corners("OpenFlight", &placement, &ecef);
+    }
+}
+
+fn find(folder: &Path, suffix: &str, into: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            find(&path, suffix, into);
+        } else if path.to_string_lossy().ends_with(suffix) {
+            into.push(path);
+        }
+    }
+}
+
+#[test]
+fn store_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let model = export::gs_model(std::slice::from_ref(&level), &to_metres, &placement, &labels());
+        write(dir.path(), &cdb::add_model(&cdb::Empty, &model).unwrap().files);
+        let (mut archives, mut shapes, mut flights) = (vec![], vec![], vec![]);
+        find(dir.path(), ".zip", &mut archives);
+        for archive in &archives {
+            let folder = archive.parent().unwrap().to_str().unwrap();
+            if ask("unzip", &["-oq", archive.to_str().unwrap(), "-d", folder], "").is_none() {
+                return;
+            }
+        }
+        // Place and bearing by GDAL.
+        find(dir.path(), ".shp", &mut shapes);
+        let mut origin = None;
+        for shape in shapes {
+            let Some(said) = ask("ogrinfo", &["-al", shape.to_str().unwrap()], "") else { return };
+            let Some(point) = said.lines().find_map(|l| l.trim().strip_prefix("POINT Z (")) else { continue };
+            let table = said.lines().find_map(|l| l.trim().strip_prefix("AO1 (Real) = "));
+            origin = Some((numbers(point.trim_end_matches(')')), table.and_then(|t| t.trim().parse::<f64>().ok())));
+        }
+        let (point, heading) = origin.expect("a point feature");
+        let heading = heading.expect("AO1");
+        find(dir.path(), ".flt", &mut flights);
+        let (sin, cos) = heading.to_radians().sin_cos();
+        let mut seen = 0;
+        for flight in &flights {
+            let Some(read) = vertices(flight) else { return };
+            if read.is_empty() {
+                continue;
+            }
+            let turned: Vec<[f64; 3]> =
+                read.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
+            let Some(ecef) = ecef_by_cartconvert((point[1], point[0], point[2]), &turned) else { return };
+            same_corners("CDB", &placement, &ecef);
+            seen += 1;
+        }
+        assert!(seen > 0, "no geometry among {flights:?}");
+    }
+}
+
+/// GDAL reads the outline and the map, xmllint the metadata; the pose's corners are turned by the quaternion alone.
+#[test]
+fn sidecars_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let outline = footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement);
+        let written = sidecar::all(&Georeference {
+            name: "box".into(),
+            banner: "UNCLASSIFIED".into(),
+            utc: labels().utc,
+            placement,
+            uncertainty: Uncertainty { horizontal: 1.0, vertical: 2.0, heading: 3.0, scale: 0.04 },
+            footprint: outline,
+            size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
+            lineage: vec!["A test.".into()],
+            assets: vec![],
+        });
+        for s in &written {
+            std::fs::write(dir.path().join(&s.path), &s.bytes).unwrap();
+        }
+        let file = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+
+        let pose: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(file("box.geopose.json")).unwrap()).unwrap();
+        let v = |a: &str, b: &str| pose[a][b].as_f64().unwrap();
+        let q = glam::DQuat::from_xyzw(
+            v("quaternion", "x"),
+            v("quaternion", "y"),
+            v("quaternion", "z"),
+            v("quaternion", "w"),
+        );
+        let enu: Vec<[f64; 3]> = corners().iter().map(|c| (q * glam::DVec3::from_array(*c)).to_array()).collect();
+        let origin = (v("position", "lat"), v("position", "lon"), v("position", "h"));
+        let Some(ecef) = ecef_by_cartconvert(origin, &enu) else { return };
+        same_corners("GeoPose", &placement, &ecef);
+
+        for name in ["box.footprint.geojson", "box.kml", "box.stac.json"] {
+            let Some(said) = ask("ogrinfo", &["-al", &file(name)], "") else { return };
+            assert!(!said.contains("ERROR") && said.contains("Feature Count: 1"), "{name}: {said}");
+            let ring = said.lines().find(|l| l.contains("POLYGON")).unwrap_or_else(|| panic!("{name}: {said}"));
+            let read: Vec<[f64; 2]> = ring
+                .split([',', '('])
+                .map(|p| numbers(p.trim_end_matches(')')))
+                .filter(|p| p.len() >= 2)
+                .map(|p| [p[0], p[1]])
+                .collect();
+            // Of a polygon that the antimeridian cuts, the points on it are new ones.
+            for c in &corners()[..4] {
+                let truth = placement.to_geodetic(*c);
+                let off = |p: &[f64; 2]| footprint::geodesic((truth.latitude, truth.longitude), (p[1], p[0])).0;
+                let nearest = read.iter().map(off).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-3, "{name}: corner {nearest} m off: {read:?}");
+            }
+        }
+        for name in ["box.kml", "box.iso19115.xml"] {
+            let Some(said) = ask("xmllint", &["--noout", &file(name)], "") else { return };
+            assert_eq!(said, "", "{name}");
+        }
+    }
+}
+
+/// Vertices of a COLLADA model by assimp, which turns Z up to Y up for OBJ.
+fn vertices_by_assimp(dae: &Path) -> Option<Vec<[f64; 3]>> {
+    let obj = dae.with_extension("obj");
+    let said = ask("assimp", &["export", dae.to_str().unwrap(), obj.to_str().unwrap()], "")?;
+    let text = std::fs::read_to_string(&obj).unwrap_or_else(|e| panic!("assimp: {e}: {said}"));
+    let rows = text.lines().filter_map(|l| l.strip_prefix("v ")).map(numbers);
+    let mut all: Vec<[f64; 3]> = Vec::new();
+    for v in rows {
+        let p = [v[0], -v[2], v[1]];
+        if !all.iter().any(|q| (0..3).all(|i| (p[i] - q[i]).abs() < 1e-4)) {
+            all.push(p);
+        }
+    }
+    Some(all)
+}
+
+#[test]
+fn google_earth_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let georeference = Georeference {
+            name: "box".into(),
+            banner: "UNCLASSIFIED".into(),
+            utc: labels().utc,
+            placement,
+            uncertainty: Uncertainty::default(),
+            footprint: footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement),
+            size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
+            lineage: vec![],
+            assets: vec![],
+        };
+        let document = sidecar::kml_with_model(&georeference, "models/box.dae");
+        let packed = export::kmz(&level, &to_metres, &document, &labels()).unwrap();
+        write(dir.path(), &[packed]);
+        let archive = dir.path().join("box.kmz");
+        if ask("unzip", &["-oq", archive.to_str().unwrap(), "-d", dir.path().to_str().unwrap()], "").is_none() {
+            return;
+        }
+        let Some(read) = vertices_by_assimp(&dir.path().join("models/box.dae")) else { return };
+        // Readers of KML take the model's X east, Y north, Z up and turn it clockwise by the heading.
+        let kml = std::fs::read_to_string(dir.path().join("doc.kml")).unwrap();
+        let value = |name: &str| -> f64 {
+            let model = &kml[kml.find("<Model>").unwrap()..];
+            let text = model.split(&format!("<{name}>")).nth(1).unwrap().split('<').next().unwrap();
+            text.parse().unwrap()
+        };
+        let (sin, cos) = value("heading").to_radians().sin_cos();
+        let turned: Vec<[f64; 3]> =
+            read.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
+        let (lat, lon) = (value("latitude"), value("longitude"));
+        let height = value("altitude") + orb::geo::geoid::undulation(lat, lon);
+        let Some(ecef) = ecef_by_cartconvert((lat, lon, height), &turned) else { return };
+        same_corners("KMZ", &placement, &ecef);
+    }
+}
