@@ -157,8 +157,10 @@ pub fn reconstruct(
         mask: &m.mask,
     }));
     let gaussians = trained.gaussians;
+    let prior_too = mesh::knob("PRIOR", 0.0) > 0.0;
     let render = |camera: &Camera| {
-        let frame = splat::render(&gaussians, camera, GREY);
+        let g = if prior_too && camera.width == 256 { &one_view.gaussians } else { &gaussians };
+        let frame = splat::render(g, camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
     let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };

@@ -95,6 +95,12 @@ fn closed_surface(solid: &Solid) -> Surface {
         let (lo, hi) = surface.bounds();
         stand_on(&mut surface, ground, 0.5 * voxel, voxel.max(noise.min(0.03 * (hi.z - lo.z))));
     }
+    let flat = super::knob("FLAT", 0.0) as usize;
+    if flat > 0 {
+        let rounds = (super::knob("TAUB", 6.0)) as usize;
+        taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
+        super::flatten::flatten(&mut surface, flat, super::knob("FLIM", 1.0) * (1.5 * voxel).max(noise), solid.ground);
+    }
     taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
     surface
 }

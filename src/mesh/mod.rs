@@ -12,8 +12,10 @@ pub mod color;
 pub mod distance;
 pub mod extract;
 pub mod fill;
+pub mod flatten;
 pub mod fuse;
 pub mod levels;
+pub mod opacity;
 pub mod pack;
 pub mod raster;
 pub mod relax;
@@ -223,6 +225,10 @@ pub fn build(
         }
     }
     levels::build(render, photos, options, progress)
+}
+
+pub(crate) fn knob(name: &str, default: f32) -> f32 {
+    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
 }
 
 /// Renders and checks that the arrays fit the camera.

@@ -30,7 +30,7 @@ impl Fit {
     /// What is minimised.
     fn cost(&self) -> f32 {
         let color = (self.color - 1.0) * (self.pairs / 0.15).min(1.0);
-        self.shape / 0.1 + 2.0 * self.contradicted + 0.7 * color
+        self.shape / 0.1 + 2.0 * self.contradicted + 0.7 * color - 0.4 * self.hidden
     }
 
     /// Good enough to be used unasked.
@@ -75,7 +75,9 @@ pub fn find(g: &Gaussians, seen: &Seen) -> Option<Fit> {
             break;
         }
     }
-    let refined = best.into_iter().map(|start| closer(start, &score));
+    let refined: Vec<_> = best.into_iter().map(|start| closer(start, &score)).collect();
+
+    let refined = refined.into_iter();
     let best = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let mut fit = score(best.1, best.2);
     fit.silhouette = silhouette(g, seen, &fit.plane);

@@ -97,6 +97,16 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         let frame = splat::render(&done.gaussians, camera, [0.5; 3]);
         frame.alpha.iter().zip(&frame.median_depth).map(|(a, z)| if *a > 0.5 { *z } else { 0.0 }).collect()
     });
+    let levels_of: Vec<Value> = std::env::var("LEVELS").unwrap_or_default().split(',').filter_map(|v| v.parse::<f32>().ok()).map(|level| {
+        let start = std::time::Instant::now();
+        let s = mesh::opacity::surface(&done.gaussians, 144, level);
+        let seconds = start.elapsed().as_secs_f64();
+        let mut v = scores(&Shape::of_surface(&s));
+        v["level"] = level.into();
+        v["seconds"] = seconds.into();
+        v
+    }).collect();
+    let raw = scores(&Shape::of_surface(&done.model.surface));
     let last = &done.model.levels[done.model.levels.len() - 1];
     // From where the next finer level takes over: one pixel is then as large as what the two differ by.
     let switch = done.model.levels.iter().rev().nth(1).map_or(0.01, |l| l.error_to_coarser);
@@ -122,6 +132,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
             "color": f.color, "pairs": f.pairs, "hidden": f.hidden, "silhouette": f.silhouette })) },
         "mesh": scores(&shape),
         "gaussians": scores(&gaussians),
+        "opacity": levels_of, "raw": raw,
         "finest_db": psnr(&done.gaussians, finest, 256),
         "coarsest_db": psnr(&done.gaussians, last, far),
         "coarsest_pixels": far,
