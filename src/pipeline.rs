@@ -38,6 +38,10 @@ pub struct Settings {
     pub symmetry: Use,
     /// 1 to 4.
     pub levels: usize,
+    /// Most triangles of the finest level.
+    pub triangles: Option<usize>,
+    /// Width and height of the finest level's texture: a power of two.
+    pub texture: u32,
 }
 
 /// What a stage took.
@@ -157,13 +161,15 @@ pub fn reconstruct(
         mask: &m.mask,
     }));
     let gaussians = trained.gaussians;
-    let prior_too = mesh::knob("PRIOR", 0.0) > 0.0;
     let render = |camera: &Camera| {
-        let g = if prior_too && camera.width == 256 { &one_view.gaussians } else { &gaussians };
-        let frame = splat::render(g, camera, GREY);
+        let frame = splat::render(&gaussians, camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
-    let options = mesh::Options { levels: settings.levels, background: GREY, ..Default::default() };
+    let options = mesh::Options {
+        levels: settings.levels,
+        background: GREY,
+        ..mesh::Options::sized(settings.triangles, settings.texture)
+    };
     let model = mesh::build(&render, &photos, &options, progress)?;
     clock.lap("mesh and texture");
     Ok(Reconstruction {
@@ -179,8 +185,8 @@ pub fn reconstruct(
     })
 }
 
-/// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, and views between them that
-/// are measured but never trained on.
+/// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, and views
+/// between them that are measured but never trained on.
 fn optimise(
     prior: &OneView,
     mirrored: Option<&MirroredPhoto>,

@@ -149,6 +149,14 @@ pub struct GeoArgs {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
     pub lods: u8,
 
+    /// Most triangles of the finest level. Default: what 8,192 vertices hold.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(64..=200_000))]
+    pub triangles: Option<u32>,
+
+    /// Width and height of the finest level's texture: 256, 512, 1024 or 2048; each coarser level has half.
+    #[arg(long, value_name = "PIXELS", default_value = "1024", value_parser = texture_size)]
+    pub texture: u32,
+
     /// Also publish what the stages handed on: mask.png and network.ply, the Gaussians before the optimisation.
     #[arg(long)]
     pub stages: bool,
@@ -231,6 +239,13 @@ fn plan(args: &GeoArgs) -> Result<Plan> {
     })
 }
 
+fn texture_size(text: &str) -> std::result::Result<u32, String> {
+    match text.parse() {
+        Ok(size) if [256, 512, 1024, 2048].contains(&size) => Ok(size),
+        _ => Err("expected 256, 512, 1024 or 2048".into()),
+    }
+}
+
 /// `AL015`, `AL015/004`: two capital letters, three digits, a subcode from 0 to 999.
 fn feature_code(text: &str) -> Result<(String, u16)> {
     let (code, sub) = text.split_once('/').unwrap_or((text, "0"));
@@ -297,6 +312,8 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
         levels: args.lods.into(),
+        triangles: args.triangles.map(|t| t as usize),
+        texture: args.texture,
         symmetry: args.symmetry.into(),
     };
     let bar = Bar::new(stop, args.quiet || args.json);
@@ -497,6 +514,30 @@ fn params(
             all.insert(name.to_owned(), value);
         }
     };
+    for (i, level) in done.model.levels.iter().enumerate() {
+        let metres = |v: f32| Some(text(format!("{:.5}", f64::from(v) * placed.scale.metres_per_unit)));
+        add(&format!("level_{i}_vertices"), Some(Param::Int(level.mesh.positions.len() as i64)));
+        add(&format!("level_{i}_triangles"), Some(Param::Int(level.mesh.triangles.len() as i64)));
+        add(&format!("level_{i}_largest_error_m"), metres(level.error));
+        add(&format!("level_{i}_mean_error_m"), metres(level.mean_error));
+    }
+    let share = |v: f32| Some(text(format!("{v:.4}")));
+    if let Some(finest) = done.model.levels.first() {
+        add("texture_seen", share(finest.seen));
+        add("texture_mirrored", share(finest.mirrored));
+        add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
+    }
+    add("symmetry", args.symmetry.to_possible_value().map(|v| text(v.get_name().to_owned())));
+    add("symmetry_applied", Some(Param::Bool(done.symmetry.applied)));
+    if let Some(fit) = &done.symmetry.fit {
+        let n = fit.plane.normal;
+        let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;
+        add("symmetry_plane_normal_bearing_deg", Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
+        add("symmetry_shape_distance_m", Some(text(format!("{:.4}", f64::from(fit.shape) * placed.scale.metres_per_unit))));
+        add("symmetry_contradicted", share(fit.contradicted));
+        add("symmetry_colour_difference", share(fit.color));
+        add("symmetry_silhouette_iou", share(fit.silhouette));
+    }
     add("mask_score", sources.mask_score.map(|(score, _)| text(format!("{score:.4}"))));
     add("mask_refined", sources.mask_score.map(|(_, refined)| Param::Bool(refined)));
     add("depth_used", sources.depth.as_ref().map(|_| Param::Bool(sources.depth_fit.is_some())));

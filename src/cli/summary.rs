@@ -58,7 +58,11 @@ pub fn text(s: &Summary) -> String {
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
-    line("seen", format!("{:.0}% of the finest texture from the photo, the rest invented", finest.seen * 100.0));
+    let mirrored = match finest.mirrored {
+        m if s.done.symmetry.applied => format!("{:.0}% from the photo mirrored, ", m * 100.0),
+        _ => String::new(),
+    };
+    line("texture", format!("{:.0}% from the photo, {mirrored}the rest invented", finest.seen * 100.0));
     let steps = match report.iterations {
         run if run < s.steps_planned as usize => format!("{run} of {} steps, for lack of time", s.steps_planned),
         run => format!("{run} steps"),
@@ -168,6 +172,21 @@ pub fn json(s: &Summary) -> Result<String> {
         .collect();
     let (placement, scale, known) = (&s.placed.placement, &s.placed.scale, &s.placed.uncertainty);
     let o = &placement.origin;
+    let finest = &s.done.model.levels[0];
+    let metres = |v: f32| f64::from(v) * scale.metres_per_unit;
+    let levels: Vec<_> = s
+        .done
+        .model
+        .levels
+        .iter()
+        .map(|l| {
+            serde_json::json!({
+                "vertices": l.mesh.positions.len(), "triangles": l.mesh.triangles.len(),
+                "largest_error_m": metres(l.error), "mean_error_m": metres(l.mean_error),
+                "significant_size_m": metres(l.error_to_coarser),
+            })
+        })
+        .collect();
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
         .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
@@ -197,6 +216,9 @@ pub fn json(s: &Summary) -> Result<String> {
             "metres_per_unit": scale.metres_per_unit, "source": scale.source.label(), "relative_sigma": scale.sigma,
             "words": scale.words(),
         },
+        "levels": levels,
+        "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
+        "symmetry": {"applied": s.done.symmetry.applied},
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -259,7 +259,7 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
     // Not finer than the depth maps and their noise, not coarser than the same count over the whole unit cube.
     let voxel = (cube_root / voxels as f32)
         .max(0.95 * pixel)
-        .max(super::knob("VOXN", 0.6) * noise)
+        .max(0.6 * noise)
         .min(2.2 / voxels as f32)
         .max(extent.max_element() / 512.0);
     let truncation = (4.0 * voxel).max(0.04).max(3.0 * noise);
@@ -288,8 +288,7 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
         }
     });
     // Gauss-like smoothing as wide as the noise: one round of [1 2 1] / 4 has a variance of half a voxel².
-    if std::env::var("SAY").is_ok() { eprintln!("NOISE {noise} voxel {voxel} dims {dims:?} sheet {}", SHEET*voxel+super::knob("SOFT", SOFT)*noise); }
-    let rounds = (super::knob("SMOOTH", 2.0) * (noise / voxel).powi(2)).round().min(6.0) as usize;
+    let rounds = (2.0 * (noise / voxel).powi(2)).round().min(6.0) as usize;
     for _ in 0..rounds {
         smooth(&mut volume);
     }
@@ -323,8 +322,8 @@ fn accumulate(map: &DepthMap, grid: &Volume, softening: f32, [y, z]: [usize; 2],
     let (voxel, truncation) = (grid.voxel, grid.truncation);
     let start = c.rotation * grid.position(0, y, z) + c.translation;
     let step = c.rotation.x_axis * voxel;
-    let through = super::knob("THROUGH", SEEN_THROUGH) * if c.position().z < BELOW * c.position().length() { 0.5 } else { 1.0 };
-    let sheet = SHEET * voxel + super::knob("SOFT", SOFT) * grid.noise;
+    let through = SEEN_THROUGH * if c.position().z < BELOW * c.position().length() { 0.5 } else { 1.0 };
+    let sheet = SHEET * voxel + SOFT * grid.noise;
     for (x, sum) in sums.iter_mut().enumerate() {
         let (distance, weight) = match map.distance(start + step * x as f32) {
             None => continue,

@@ -51,10 +51,11 @@ pub(super) fn build(
         .into_iter()
         .zip(textures)
         .zip(errors)
-        .map(|((mesh, (texture, [seen, mirrored])), (error, error_to_coarser))| Level {
+        .map(|((mesh, (texture, [seen, mirrored])), ([error, mean_error], error_to_coarser))| Level {
             mesh,
             texture,
             error,
+            mean_error,
             error_to_coarser,
             seen,
             mirrored,
@@ -95,27 +96,32 @@ fn closed_surface(solid: &Solid) -> Surface {
         let (lo, hi) = surface.bounds();
         stand_on(&mut surface, ground, 0.5 * voxel, voxel.max(noise.min(0.03 * (hi.z - lo.z))));
     }
-    let flat = super::knob("FLAT", 0.0) as usize;
-    if flat > 0 {
-        let rounds = (super::knob("TAUB", 6.0)) as usize;
-        taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
-        super::flatten::flatten(&mut surface, flat, super::knob("FLIM", 1.0) * (1.5 * voxel).max(noise), solid.ground);
-    }
     taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
     surface
 }
+
+/// Vertices of a level that still shows anything.
+const FEWEST: usize = 24;
 
 /// Level by level, each from the finest surface, unwrapped, none over its cap.
 fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dyn Progress) -> Result<Vec<Mesh>> {
     let mut simplifier = Simplifier::new(surface);
     let mut coarser: Option<Solid> = None;
     let mut meshes = Vec::new();
-    for level in 0..options.levels {
+    // With few triangles asked for, coarse levels would be next to nothing.
+    let worth = |level: &usize| *level == 0 || options.target(*level) >= FEWEST;
+    for level in (0..options.levels).take_while(worth) {
         progress.check()?;
         let size = options.texture_size[level];
         let texels = 0.65 * (size as f32).powi(2);
-        let (surface, charts) = fit(&mut simplifier, options.vertex_caps[level], texels, solid, &mut coarser)?;
+        let start = std::time::Instant::now();
+        let caps = (options.vertex_caps[level], options.target(level));
+        let (surface, charts) = fit(&mut simplifier, caps, texels, solid, &mut coarser)?;
+        let t1 = start.elapsed();
         let atlas = pack::pack(&charts, size)?;
+        if std::env::var("SAY").is_ok() {
+            eprintln!("LEVEL {level} charts {} fit {:?} pack {:?}", charts.len(), t1, start.elapsed() - t1);
+        }
         meshes.push(assemble(&surface, &charts, &atlas.uv));
         progress.step(level as u64 + 1);
     }
@@ -125,12 +131,12 @@ fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dy
 /// Simplifies until what the seams make of the vertices fits `cap`.
 fn fit(
     simplifier: &mut Simplifier,
-    cap: usize,
+    (cap, target): (usize, usize),
     texels: f32,
     solid: &Solid,
     coarser: &mut Option<Solid>,
 ) -> Result<(Surface, Vec<Chart>)> {
-    let mut target = simplifier.vertices_left().min(cap * 9 / 10);
+    let mut target = simplifier.vertices_left().min(target);
     loop {
         if !simplifier.reduce_to(target)
             && simplifier.vertices_left() > target.max(4)
@@ -182,16 +188,16 @@ fn stand_on(surface: &mut Surface, ground: f32, near: f32, undersides: f32) {
     }
 }
 
-/// (to the surface, to the next coarser level) of each level.
-fn errors(surface: &Surface, meshes: &[Mesh], bvhs: &[Bvh]) -> Vec<(f32, f32)> {
+/// (to the surface: largest and mean; to the next coarser level) of each level.
+fn errors(surface: &Surface, meshes: &[Mesh], bvhs: &[Bvh]) -> Vec<([f32; 2], f32)> {
     const MOST: usize = 30_000;
     let all = |m: &Mesh| samples(&m.positions, &m.triangles, MOST);
     let whole = Bvh::new(&surface.positions, &surface.triangles);
     let whole_samples = samples(&surface.positions, &surface.triangles, MOST);
     let points: Vec<Vec<Vec3>> = meshes.iter().map(all).collect();
-    let mut result: Vec<(f32, f32)> = (0..meshes.len())
+    let mut result: Vec<([f32; 2], f32)> = (0..meshes.len())
         .map(|k| {
-            let error = farthest(&points[k], &whole).0.max(farthest(&whole_samples, &bvhs[k]).0);
+            let (there, back) = (farthest(&points[k], &whole), farthest(&whole_samples, &bvhs[k]));
             let coarser = match meshes.get(k + 1) {
                 Some(_) => farthest(&points[k], &bvhs[k + 1]).0.max(farthest(&points[k + 1], &bvhs[k]).0),
                 None => {
@@ -199,7 +205,7 @@ fn errors(surface: &Surface, meshes: &[Mesh], bvhs: &[Bvh]) -> Vec<(f32, f32)> {
                     lo.distance(hi)
                 }
             };
-            (error, coarser)
+            ([there.0.max(back.0), (there.1 + back.1) / 2.0], coarser)
         })
         .collect();
     // A switch from level to level needs sizes that grow.

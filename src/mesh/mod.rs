@@ -12,7 +12,6 @@ pub mod color;
 pub mod distance;
 pub mod extract;
 pub mod fill;
-pub mod flatten;
 pub mod fuse;
 pub mod levels;
 pub mod opacity;
@@ -68,7 +67,10 @@ pub struct Options {
     pub levels: usize,
     /// Most vertices a level, finest first: unique (position, normal, uv) tuples, as a vertex palette counts them.
     pub vertex_caps: [usize; 4],
-    /// Texture width and height a level, finest first: powers of two, at most 1024.
+    /// Most triangles of the finest level; each coarser one gets a quarter, and there are fewer levels where that is next to
+    /// nothing. `None`: the vertex caps decide.
+    pub triangles: Option<usize>,
+    /// Texture width and height a level, finest first: powers of two, at most 2048.
     pub texture_size: [u32; 4],
     /// Cameras around the subject for depth.
     pub views: usize,
@@ -88,6 +90,7 @@ impl Default for Options {
             voxels: 144,
             levels: 4,
             vertex_caps: [8192, 2048, 512, 128],
+            triangles: None,
             texture_size: [1024, 512, 256, 128],
             views: 48,
             view_size: 256,
@@ -99,6 +102,27 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Of triangles that can be asked for.
+    pub const FEWEST: usize = 64;
+    pub const MOST: usize = 200_000;
+
+    /// The default with another finest level: its triangles, and its texture's width and height.
+    pub fn sized(triangles: Option<usize>, texture: u32) -> Self {
+        let mut options = Options { triangles, ..Options::default() };
+        // A closed surface has half as many vertices as triangles, and seams split some.
+        if let Some(most) = triangles {
+            options.vertex_caps[0] = options.vertex_caps[0].max(most * 3 / 4);
+        }
+        options.texture_size = [texture, texture / 2, texture / 4, texture / 8].map(|s| s.max(32));
+        options
+    }
+
+    /// Vertices of a level's closed surface, seams not counted.
+    fn target(&self, level: usize) -> usize {
+        let by_cap = self.vertex_caps[level] * 9 / 10;
+        self.triangles.map_or(by_cap, |t| by_cap.min((t >> (2 * level)) / 2)).max(4)
+    }
+
     fn check(&self) -> Result<()> {
         let bad = |what: &str, expected: &str, found: String| Err(Error::usage(what).expected(expected).found(found));
         if !(1..=4).contains(&self.levels) {
@@ -115,6 +139,10 @@ impl Options {
             let found = format!("{} and {}", self.view_size, self.color_size);
             return bad("mesh view size", "16 to 2048 pixels", found);
         }
+        if let Some(most) = self.triangles.filter(|t| !(Self::FEWEST..=Self::MOST).contains(t)) {
+            let expected = format!("{} to {}", Self::FEWEST, Self::MOST);
+            return bad("triangles of the finest level", &expected, most.to_string());
+        }
         for level in 0..self.levels {
             let (cap, size) = (self.vertex_caps[level], self.texture_size[level]);
             if cap < 32 {
@@ -123,8 +151,8 @@ impl Options {
             if level > 0 && cap >= self.vertex_caps[level - 1] {
                 return bad("vertex caps", "finest first, each smaller than the one before", cap.to_string());
             }
-            if !size.is_power_of_two() || !(16..=1024).contains(&size) {
-                return bad("texture size", "a power of two, 16 to 1024", size.to_string());
+            if !size.is_power_of_two() || !(16..=2048).contains(&size) {
+                return bad("texture size", "a power of two, 16 to 2048", size.to_string());
             }
         }
         Ok(())
@@ -187,6 +215,8 @@ pub struct Level {
     pub texture: RgbImage,
     /// Largest distance, either way, between this level and the surface before simplification; scene units.
     pub error: f32,
+    /// Mean of both directions' mean distances between the same two; scene units.
+    pub mean_error: f32,
     /// Largest distance, either way, to the next coarser level; for the coarsest, its bounding-box diagonal.
     /// Together they are the significant sizes of OGC CDB 1.x Volume 6 §6.8.3; strictly larger for each coarser level.
     pub error_to_coarser: f32,

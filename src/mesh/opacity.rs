@@ -1,4 +1,5 @@
-//! A level set of the opacity field: the other way from Gaussians to a surface, for comparison with [`super::fuse`].
+//! A level set of the opacity field: the other way from Gaussians to a surface, kept for comparison with [`super::fuse`]
+//! (`orb bench mesh`), which was closer to true meshes (`docs/model.md`).
 //!
 //! At each sample of a grid the opacities of all Gaussians are added up, Σ oᵢ exp(−½ mᵢ²) with m the Mahalanobis
 //! distance; where the sum passes `level` is the surface (after Guédon & Lepetit, "SuGaR", 2024, §4, and Yu et al.,
@@ -11,6 +12,8 @@ use super::fuse::Volume;
 use super::{SUBJECT_RADIUS, Surface, clean, extract};
 use crate::splat::Gaussians;
 
+/// The best of 0.05, 0.1, 0.15, 0.2, 0.3, 0.6, 1 on the built-in network's Gaussians.
+pub const LEVEL: f32 = 0.15;
 /// Gaussians reach this many standard deviations.
 const REACH: f32 = 3.0;
 
@@ -51,10 +54,11 @@ fn field(g: &Gaussians, voxels: usize, level: f32) -> Volume {
             let center = (g.positions[i] - lo) / voxel;
             let r = rotations[i];
             // Half the box: the norm of each row of R diag(s).
-            let half = Vec3::from_array(std::array::from_fn(|k| {
-                REACH * (r.col(k) * scale).length() / voxel
-            }));
-            if !(center.is_finite() && half.is_finite()) || center.z + half.z < z0 as f32 || center.z - half.z > z1 as f32 {
+            let half = Vec3::from_array(std::array::from_fn(|k| REACH * (r.col(k) * scale).length() / voxel));
+            if !(center.is_finite() && half.is_finite())
+                || center.z + half.z < z0 as f32
+                || center.z - half.z > z1 as f32
+            {
                 continue;
             }
             let from = (center - half).ceil().max(Vec3::ZERO);

@@ -105,7 +105,7 @@ impl Bits {
 ///
 /// Errors: `Usage` when there are more charts than the texture has room for.
 pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
-    let cell = (size / 256).max(1) as f32;
+    let cell = size as f32 / super::knob("CELLS", 512.0);
     let area: f32 =
         charts.iter().flat_map(|c| &c.corners).map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
     let whole = (size as f32).powi(2) / area.max(1e-12);

@@ -9,6 +9,9 @@ use crate::splat::{self, Camera, Gaussians};
 /// Behind the seen surface by more than this, nothing was seen.
 const BEHIND: f32 = 0.06;
 
+/// A point that the photo sees claims this many pixels around it.
+const SLACK: isize = 3;
+
 /// The photo as a camera on the other side of the plane would have taken it.
 #[derive(Clone, Debug)]
 pub struct MirroredPhoto {
@@ -16,7 +19,8 @@ pub struct MirroredPhoto {
     /// sRGB 0..1.
     pub color: Vec<[f32; 3]>,
     pub mask: Vec<f32>,
-    /// Pixels whose surface the photo itself sees: it knows better.
+    /// Pixels of which the photo itself knows better: it sees their surface, or something where the mirror image has
+    /// nothing.
     pub seen_directly: Vec<bool>,
 }
 
@@ -44,12 +48,21 @@ pub fn mirrored_photo(g: &Gaussians, seen: &Seen, plane: &Plane) -> MirroredPhot
             }
         })
         .collect();
-    MirroredPhoto {
-        camera: plane.camera(&seen.camera),
-        color: flipped(seen.color, width),
-        mask: flipped(seen.mask, width),
-        seen_directly: flipped(&seen_directly, width),
+    let camera = plane.camera(&seen.camera);
+    let mask = flipped(seen.mask, width);
+    let mut seen_directly = flipped(&seen_directly, width);
+    // Where the photo shows something that its mirror image lacks, the mirror image must not take it away.
+    for (i, &z) in surface.depth.iter().enumerate().filter(|(_, z)| **z > 0.0) {
+        let at = projected(&camera, lifted(&seen.camera, i, z));
+        let (x, y) = (at.x as isize, at.y as isize);
+        for (u, v) in (-SLACK..=SLACK).flat_map(|a| (-SLACK..=SLACK).map(move |b| (x + a, y + b))) {
+            if u >= 0 && v >= 0 && u < width as isize && v < camera.height as isize {
+                let j = v as usize * width + u as usize;
+                seen_directly[j] |= mask[j] < 0.5;
+            }
+        }
     }
+    MirroredPhoto { camera, color: flipped(seen.color, width), mask, seen_directly }
 }
 
 /// What the photo's camera sees of the Gaussians.

@@ -8,6 +8,9 @@ mod complete;
 mod evidence;
 mod search;
 
+#[cfg(test)]
+mod tests;
+
 use glam::{Mat3, Vec3};
 
 use crate::splat::{Camera, Gaussians};

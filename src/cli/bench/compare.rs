@@ -11,6 +11,8 @@ use crate::splat::Camera;
 /// What of a surface can be seen from around it.
 pub struct Shape {
     pub points: Vec<Vec3>,
+    corners: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
     bvh: Bvh,
 }
 
@@ -32,7 +34,12 @@ impl Shape {
         }
         let triangles: Vec<[u32; 3]> =
             surface.triangles.iter().zip(&used).filter(|(_, used)| **used).map(|(t, _)| *t).collect();
-        Shape { points: fewer(points), bvh: Bvh::new(&surface.positions, &triangles) }
+        Shape {
+            points: fewer(points),
+            bvh: Bvh::new(&surface.positions, &triangles),
+            corners: surface.positions.clone(),
+            triangles,
+        }
     }
 
     /// Of depth maps, `depth(camera)` in camera z, 0 for nothing.
@@ -47,7 +54,17 @@ impl Shape {
             .filter(|p| p.length() < 1.3)
             .collect();
         let triangles: Vec<[u32; 3]> = (0..points.len() as u32).map(|i| [i; 3]).collect();
-        Shape { bvh: Bvh::new(&points, &triangles), points: fewer(points) }
+        Shape { bvh: Bvh::new(&points, &triangles), points: fewer(points.clone()), corners: points, triangles }
+    }
+
+    fn moved(&self, place: &Similarity) -> Self {
+        let corners: Vec<Vec3> = self.corners.iter().map(|p| place.point(*p)).collect();
+        Shape {
+            points: self.points.iter().map(|p| place.point(*p)).collect(),
+            bvh: Bvh::new(&corners, &self.triangles),
+            corners,
+            triangles: self.triangles.clone(),
+        }
     }
 
     fn distances(&self, points: &[Vec3]) -> Vec<f32> {
@@ -86,23 +103,53 @@ pub fn scores(found: &Shape, truth: &Shape, diagonal: f32) -> Scores {
     Scores { chamfer: (mean(&there) + mean(&back)) / 2.0 / diagonal, f }
 }
 
-/// The truth moved onto what was found: a turn about the vertical, one scale, a shift; the 80% of closest pairs decide.
+/// p → scale · turn · p + shift.
+#[derive(Clone, Copy, Debug)]
+pub struct Similarity {
+    turn: Mat3,
+    scale: f32,
+    shift: Vec3,
+}
+
+impl Similarity {
+    fn point(&self, p: Vec3) -> Vec3 {
+        self.scale * (self.turn * p) + self.shift
+    }
+
+    pub fn surface(&self, s: &Surface) -> Surface {
+        Surface { positions: s.positions.iter().map(|p| self.point(*p)).collect(), triangles: s.triangles.clone() }
+    }
+
+    /// The camera that sees the moved as `c` sees what was not.
+    pub fn camera(&self, c: &Camera) -> Camera {
+        let rotation = c.rotation * self.turn.transpose();
+        Camera { rotation, translation: self.scale * c.translation - rotation * self.shift, ..*c }
+    }
+
+    fn then(&self, turn: Mat3, scale: f32, shift: Vec3) -> Self {
+        Similarity { turn: turn * self.turn, scale: scale * self.scale, shift: scale * (turn * self.shift) + shift }
+    }
+}
+
+/// What moves the truth onto what was found: a turn about the vertical, one scale, a shift; the 80% of closest pairs
+/// decide.
 ///
 /// A reconstruction from one photo has no scale and a guessed camera, so this much is given to it.
-pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Surface {
+pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
     // The subject frame's +Y is where the camera looked.
     let turn = Mat3::from_cols(Vec3::new(forward.y, forward.x, 0.0), Vec3::new(-forward.x, forward.y, 0.0), Vec3::Z);
     let bounds = |points: &[Vec3]| {
         points.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &p| (lo.min(p), hi.max(p)))
     };
-    let mut moved =
-        Surface { positions: truth.positions.iter().map(|p| turn * *p).collect(), triangles: truth.triangles.clone() };
-    let ((lo, hi), (low, high)) = (bounds(&moved.positions), bounds(&found.points));
+    let start = Similarity { turn, scale: 1.0, shift: Vec3::ZERO };
+    let ((lo, hi), (low, high)) = (start.surface(truth).bounds(), bounds(&found.points));
     let scale = high.distance(low) / hi.distance(lo).max(1e-6);
-    let shift = (low + high) / 2.0 - scale * (lo + hi) / 2.0;
-    moved.positions.iter_mut().for_each(|p| *p = scale * *p + shift);
+    let start = start.then(Mat3::IDENTITY, scale, (low + high) / 2.0 - scale * (lo + hi) / 2.0);
+    // What is seen of it from around does not change with small moves.
+    let placed = Shape::of_surface(&start.surface(truth));
+    let mut move_on = Similarity { turn: Mat3::IDENTITY, scale: 1.0, shift: Vec3::ZERO };
     for _ in 0..30 {
-        let shape = Shape::of_surface(&moved);
+        let shape = placed.moved(&move_on);
         let mut pairs: Vec<(Vec3, Vec3)> = Vec::new();
         let step = |n: usize| n.div_ceil(2500).max(1);
         for p in shape.points.iter().step_by(step(shape.points.len())) {
@@ -126,9 +173,9 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Surface {
         let flat = cos.hypot(sin);
         let turn = Mat3::from_rotation_z(sin.atan2(cos));
         let scale = (flat + up) / square.max(1e-9);
-        moved.positions.iter_mut().for_each(|p| *p = b + scale * (turn * (*p - a)));
+        move_on = move_on.then(turn, scale, b - scale * (turn * a));
     }
-    moved
+    start.then(move_on.turn, move_on.scale, move_on.shift)
 }
 
 #[cfg(test)]
@@ -166,7 +213,7 @@ mod tests {
         let found = Shape::of_surface(&here);
         // Told the camera's direction to within 8°.
         let forward = Mat3::from_rotation_z(angle + 0.14) * Vec3::Y;
-        let back = aligned(&away, forward, &found);
+        let back = aligned(&away, forward, &found).surface(&away);
         let s = scores(&found, &Shape::of_surface(&back), 1.5);
         assert!(s.chamfer < 2e-3 && s.f[0] > 0.99, "{s:?}");
         let larger = Shape::of_surface(&block(Vec3::new(1.26, 0.7, 0.5)));

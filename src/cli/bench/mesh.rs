@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
-use super::compare::{self, Shape};
+use super::compare::{self, Shape, Similarity};
 use super::truth::{self, Truth};
 use crate::mesh::{self, Level, Surface};
 use crate::models::Rten;
@@ -45,30 +45,47 @@ pub fn run(args: &MeshBench, progress: &dyn Progress) -> Result<String> {
     if args.json {
         return Ok(format!("{}\n", json!({ "subjects": rows })));
     }
-    let mut out = String::from(
-        "subject               symmetry  mesh s  Chamfer %  F 1%   F 2%   | Gaussians: Chamfer %  F 1%   F 2%   | finest dB  coarsest dB | seen mirrored invented\n",
-    );
-    for r in &rows {
-        let n = |path: &str| r.pointer(path).and_then(Value::as_f64).unwrap_or(f64::NAN);
-        out += &format!(
-            "{:<21} {:<8} {:>7.1} {:>10.2} {:>6.3} {:>6.3} | {:>20.2} {:>6.3} {:>6.3} | {:>9.1} {:>12.1} | {:>4.2} {:>8.2} {:>8.2}\n",
-            r["name"].as_str().unwrap_or(""),
-            r["symmetry"]["applied"].to_string(),
-            n("/mesh_seconds"),
-            n("/mesh/chamfer") * 100.0,
-            n("/mesh/f1"),
-            n("/mesh/f2"),
-            n("/gaussians/chamfer") * 100.0,
-            n("/gaussians/f1"),
-            n("/gaussians/f2"),
-            n("/finest_db"),
-            n("/coarsest_db"),
-            n("/texture/seen"),
-            n("/texture/mirrored"),
-            n("/texture/invented"),
-        );
+    Ok(table(&rows))
+}
+
+/// What a column shows: title, where in a row, times what, decimals.
+const COLUMNS: [(&str, &str, f64, usize); 19] = [
+    ("seconds", "/mesh_seconds", 1.0, 1),
+    ("mesh Ch%", "/mesh/chamfer", 100.0, 2),
+    ("F1%", "/mesh/f1", 1.0, 3),
+    ("F2%", "/mesh/f2", 1.0, 3),
+    ("splats Ch%", "/gaussians/chamfer", 100.0, 2),
+    ("F1%", "/gaussians/f1", 1.0, 3),
+    ("F2%", "/gaussians/f2", 1.0, 3),
+    ("level set Ch%", "/opacity_level_set/chamfer", 100.0, 2),
+    ("F1%", "/opacity_level_set/f1", 1.0, 3),
+    ("F2%", "/opacity_level_set/f2", 1.0, 3),
+    ("near dB", "/views/near_db", 1.0, 2),
+    ("far dB", "/views/back_db", 1.0, 2),
+    ("IoU", "/views/iou", 1.0, 3),
+    ("finest dB", "/finest_db", 1.0, 1),
+    ("inside dB", "/finest_inside_db", 1.0, 1),
+    ("coarsest dB", "/coarsest_db", 1.0, 1),
+    ("seen", "/texture/seen", 1.0, 2),
+    ("mirrored", "/texture/mirrored", 1.0, 2),
+    ("invented", "/texture/invented", 1.0, 2),
+];
+
+fn table(rows: &[Value]) -> String {
+    let titles: Vec<&str> = COLUMNS.iter().map(|c| c.0).collect();
+    let mut out = format!("{:<20}  {}\n", "subject", titles.join("  "));
+    for r in rows {
+        out += &format!("{:<20}", r["name"].as_str().unwrap_or(""));
+        for (title, path, factor, decimals) in COLUMNS {
+            let width = title.len() + 2;
+            match r.pointer(path).and_then(Value::as_f64) {
+                Some(v) => out += &format!("{:>width$.decimals$}", v * factor),
+                None => out += &format!("{:>width$}", "-"),
+            }
+        }
+        out.push('\n');
     }
-    Ok(out)
+    out
 }
 
 fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<Value> {
@@ -80,13 +97,16 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         deadline: None,
         seed: 0,
         levels: 4,
+        triangles: None,
+        texture: 1024,
         symmetry: Use::from(args.symmetry),
     };
     let done = pipeline::reconstruct(&photo, &Rten, &Sources::default(), &settings, progress)?;
     let finest = &done.model.levels[0];
     let own = Surface { positions: finest.mesh.positions.clone(), triangles: finest.mesh.triangles.clone() };
     let shape = Shape::of_surface(&own);
-    let moved = compare::aligned(&truth.surface, truth.forward, &shape);
+    let place = compare::aligned(&truth.surface, truth.forward, &shape);
+    let moved = place.surface(&truth.surface);
     let true_shape = Shape::of_surface(&moved);
     let (low, high) = moved.bounds();
     let scores = |found: &Shape| {
@@ -97,16 +117,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         let frame = splat::render(&done.gaussians, camera, [0.5; 3]);
         frame.alpha.iter().zip(&frame.median_depth).map(|(a, z)| if *a > 0.5 { *z } else { 0.0 }).collect()
     });
-    let levels_of: Vec<Value> = std::env::var("LEVELS").unwrap_or_default().split(',').filter_map(|v| v.parse::<f32>().ok()).map(|level| {
-        let start = std::time::Instant::now();
-        let s = mesh::opacity::surface(&done.gaussians, 144, level);
-        let seconds = start.elapsed().as_secs_f64();
-        let mut v = scores(&Shape::of_surface(&s));
-        v["level"] = level.into();
-        v["seconds"] = seconds.into();
-        v
-    }).collect();
-    let raw = scores(&Shape::of_surface(&done.model.surface));
+    let opacity = mesh::opacity::surface(&done.gaussians, mesh::Options::default().voxels, mesh::opacity::LEVEL);
     let last = &done.model.levels[done.model.levels.len() - 1];
     // From where the next finer level takes over: one pixel is then as large as what the two differ by.
     let switch = done.model.levels.iter().rev().nth(1).map_or(0.01, |l| l.error_to_coarser);
@@ -120,7 +131,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         .map(|l| {
             json!({
                 "vertices": l.mesh.positions.len(), "triangles": l.mesh.triangles.len(),
-                "error": l.error, "error_to_coarser": l.error_to_coarser, "atlas_use": atlas_use(l),
+                "error": l.error, "mean_error": l.mean_error, "error_to_coarser": l.error_to_coarser, "atlas_use": atlas_use(l),
             })
         })
         .collect();
@@ -132,13 +143,59 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
             "color": f.color, "pairs": f.pairs, "hidden": f.hidden, "silhouette": f.silhouette })) },
         "mesh": scores(&shape),
         "gaussians": scores(&gaussians),
-        "opacity": levels_of, "raw": raw,
-        "finest_db": psnr(&done.gaussians, finest, 256),
-        "coarsest_db": psnr(&done.gaussians, last, far),
+        "opacity_level_set": scores(&Shape::of_surface(&opacity)),
+        "views": against_views(truth, &place, finest)?,
+        "finest_db": psnr(&done.gaussians, finest, 256, 0.0),
+        "finest_inside_db": psnr(&done.gaussians, finest, 256, 0.98),
+        "coarsest_db": psnr(&done.gaussians, last, far, 0.0),
         "coarsest_pixels": far,
         "texture": { "seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored },
         "levels": levels,
     }))
+}
+
+/// The finest level against true pictures, over white: PSNR of whole pictures (dB) within 60° of the photo and beyond, of
+/// the colours alone where both show the subject, and the silhouettes' mean intersection over union.
+fn against_views(truth: &Truth, place: &Similarity, level: &Level) -> Result<Value> {
+    const SIZE: u32 = 128;
+    let (mut near, mut back, mut colors, mut ious) = (Vec::new(), Vec::new(), [0.0, 0.0], Vec::new());
+    for view in &truth.views {
+        let picture = image::open(&view.file)
+            .map_err(|e| Error::usage(view.file.display().to_string()).expected("a picture").found(e.to_string()))?;
+        let rgba = image::imageops::thumbnail(&picture.into_rgba8(), SIZE, SIZE);
+        let camera = place.camera(&view.camera.resized(SIZE, SIZE));
+        let white = mesh::raster(&level.mesh, Some(&level.texture), &camera, [255; 3], 2);
+        let black = mesh::raster(&level.mesh, Some(&level.texture), &camera, [0; 3], 2);
+        let (mut sum, mut both, mut either) = (0.0, 0u32, 0u32);
+        for ((t, w), b) in rgba.pixels().zip(white.pixels()).zip(black.pixels()) {
+            let alpha = f64::from(t.0[3]) / 255.0;
+            let error: f64 = (0..3)
+                .map(|k| {
+                    let shown = f64::from(t.0[k]) / 255.0 * alpha + 1.0 - alpha;
+                    (shown - f64::from(w.0[k]) / 255.0).powi(2)
+                })
+                .sum();
+            sum += error;
+            // Covered: what is behind does not show through.
+            let (own, true_one) = (w.0[0].abs_diff(b.0[0]) < 64, alpha > 0.5);
+            both += u32::from(own && true_one);
+            either += u32::from(own || true_one);
+            if own && alpha > 0.99 {
+                colors[0] += error;
+                colors[1] += 3.0;
+            }
+        }
+        let db = -10.0 * (sum / f64::from(3 * SIZE * SIZE)).max(1e-10).log10();
+        if view.away <= 60.0 {
+            near.push(db)
+        } else {
+            back.push(db)
+        }
+        ious.push(f64::from(both) / f64::from(either.max(1)));
+    }
+    let mean = |v: &[f64]| (!v.is_empty()).then(|| v.iter().sum::<f64>() / v.len() as f64);
+    let color = (colors[1] > 0.0).then(|| -10.0 * (colors[0] / colors[1]).log10());
+    Ok(json!({ "near_db": mean(&near), "back_db": mean(&back), "color_db": color, "iou": mean(&ious) }))
 }
 
 /// Share of the texture under triangles.
@@ -151,23 +208,22 @@ fn atlas_use(level: &Level) -> f32 {
     level.mesh.triangles.iter().map(twice).sum::<f32>() / 2.0
 }
 
-/// A level against the Gaussians, drawn on grey `size` pixels across from 12 sides: the mean picture's PSNR, dB.
-fn psnr(g: &Gaussians, level: &Level, size: u32) -> f64 {
+/// A level against the Gaussians, drawn on grey `size` pixels across from 12 sides: PSNR (dB) of the pixels at least so
+/// opaque.
+fn psnr(g: &Gaussians, level: &Level, size: u32, opaque: f32) -> f64 {
     let cameras: Vec<Camera> =
         (0..12).map(|k| views::orbit(30.0 * k as f32, [20.0, -10.0, 40.0][k % 3], views::DISTANCE, size)).collect();
-    let error: f64 = cameras
-        .iter()
-        .map(|camera| {
-            let frame = splat::render(g, camera, [0.5; 3]);
-            let drawn = mesh::raster(&level.mesh, Some(&level.texture), camera, [128; 3], 3);
-            let pixels = drawn.pixels().zip(&frame.color);
-            let sum: f64 = pixels
-                .flat_map(|(a, b)| {
-                    (0..3).map(move |k| f64::from(f32::from(a.0[k]) / 255.0 - b[k].clamp(0.0, 1.0)).powi(2))
-                })
-                .sum();
-            sum / (3 * size * size) as f64
-        })
-        .sum();
-    -10.0 * (error / cameras.len() as f64).max(1e-12).log10()
+    let (mut sum, mut count) = (0.0, 0.0);
+    for camera in &cameras {
+        let frame = splat::render(g, camera, [0.5; 3]);
+        let drawn = mesh::raster(&level.mesh, Some(&level.texture), camera, [128; 3], 3);
+        for ((a, b), alpha) in drawn.pixels().zip(&frame.color).zip(&frame.alpha) {
+            if *alpha >= opaque {
+                let error = |k: usize| f64::from(f32::from(a.0[k]) / 255.0 - b[k].clamp(0.0, 1.0)).powi(2);
+                sum += (0..3).map(error).sum::<f64>();
+                count += 3.0;
+            }
+        }
+    }
+    -10.0 * (sum / f64::max(count, 1.0)).max(1e-12).log10()
 }

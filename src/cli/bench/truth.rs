@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use glam::{Mat4, Quat, Vec3};
+use glam::{Mat3, Mat4, Quat, Vec3};
 use serde_json::Value;
 
 use crate::mesh::Surface;
+use crate::splat::Camera;
 use crate::{Error, Result};
 
 /// What is known of a photo made from a model.
@@ -16,6 +17,16 @@ pub struct Truth {
     pub surface: Surface,
     /// Where the photo's camera looks, horizontally; unit length.
     pub forward: Vec3,
+    /// True pictures from other sides.
+    pub views: Vec<TrueView>,
+}
+
+/// A picture of the model with transparent surroundings.
+pub struct TrueView {
+    pub camera: Camera,
+    pub file: PathBuf,
+    /// Degrees from the photo's side, 0 to 180.
+    pub away: f32,
 }
 
 /// A folder with `mesh.glb` and `cameras.json`, the photo its view `outdoor` or the last of its group `photo`.
@@ -29,6 +40,13 @@ pub fn read(folder: &Path) -> Result<Truth> {
     let photo = photos().find(|v| v["name"] == "outdoor").or_else(|| photos().last()).ok_or_else(|| no("a photo"))?;
     let at = |i: usize| photo["w2c_opencv"][2][i].as_f64().ok_or_else(|| no("w2c_opencv"));
     let forward = Vec3::new(at(0)? as f32, at(1)? as f32, 0.0);
+    let mut shown = Vec::new();
+    for v in views.iter().filter(|v| v["group"] == "gt") {
+        let file = folder.join(v["file"].as_str().ok_or_else(|| no("a view's file"))?);
+        let away = v["azimuth_rel_photo_deg"].as_f64().unwrap_or(0.0).rem_euclid(360.0) as f32;
+        let camera = camera(v).ok_or_else(|| no("a view's camera"))?;
+        shown.push(TrueView { camera, file, away: away.min(360.0 - away) });
+    }
     let file = photo["file"].as_str().ok_or_else(|| no("a photo's file"))?;
     let mesh = folder.join("mesh.glb");
     let bytes = std::fs::read(&mesh).map_err(|e| Error::io(&mesh, &e))?;
@@ -40,6 +58,23 @@ pub fn read(folder: &Path) -> Result<Truth> {
         photo: folder.join(file),
         surface,
         forward: forward.normalize_or(Vec3::Y),
+        views: shown,
+    })
+}
+
+fn camera(v: &Value) -> Option<Camera> {
+    let number = |name: &str| Some(v[name].as_f64()? as f32);
+    let m = |row: usize, column: usize| Some(v["w2c_opencv"][row][column].as_f64()? as f32);
+    let row = |i: usize| Some(Vec3::new(m(i, 0)?, m(i, 1)?, m(i, 2)?));
+    Some(Camera {
+        width: v["width"].as_u64()? as u32,
+        height: v["height"].as_u64()? as u32,
+        fx: number("fx")?,
+        fy: number("fy")?,
+        cx: number("cx")?,
+        cy: number("cy")?,
+        rotation: Mat3::from_cols(row(0)?, row(1)?, row(2)?).transpose(),
+        translation: Vec3::new(m(0, 3)?, m(1, 3)?, m(2, 3)?),
     })
 }
 

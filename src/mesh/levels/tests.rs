@@ -3,6 +3,7 @@ use super::super::scenes::{self, Scene};
 use super::super::{build, raster};
 use super::*;
 use crate::progress::Silent;
+use crate::splat::{Gaussians, render};
 use glam::Mat3;
 
 fn quick() -> Options {
@@ -59,7 +60,7 @@ fn check(model: &Model, options: &Options) {
         let surface = Surface { positions: m.positions.clone(), triangles: m.triangles.clone() };
         assert!(surface.volume() > 0.0, "level {k} is inside out");
         assert_eq!(level.texture.dimensions(), (options.texture_size[k], options.texture_size[k]));
-        assert!(level.error.is_finite());
+        assert!(level.error.is_finite() && level.mean_error <= level.error);
         assert!(k == 0 || level.error_to_coarser > model.levels[k - 1].error_to_coarser);
     }
 }
@@ -258,4 +259,93 @@ fn an_interrupt_stops_it() {
     let scene = scenes::sphere(0.5);
     let error = build(&|c| scene.render(c), &[], &quick(), &Stopped).unwrap_err();
     assert_eq!(error.kind, crate::Kind::Cancelled);
+}
+
+/// Opaque round Gaussians.
+fn dots(points: impl Iterator<Item = Vec3>, size: f32) -> Gaussians {
+    let positions: Vec<Vec3> = points.collect();
+    let n = positions.len();
+    Gaussians {
+        positions,
+        log_scales: vec![Vec3::splat(size.ln()); n],
+        rotations: vec![[1.0, 0.0, 0.0, 0.0]; n],
+        logit_opacities: vec![6.0; n],
+        sh: vec![[[0.2; 3]; 16]; n],
+    }
+}
+
+fn drawn(g: &Gaussians) -> impl Fn(&Camera) -> View + Sync {
+    move |camera| {
+        let frame = render(g, camera, scenes::BACKGROUND);
+        View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    }
+}
+
+#[test]
+fn one_gaussian_is_a_ball() {
+    let g = dots([Vec3::new(0.1, 0.0, -0.1)].into_iter(), 0.25);
+    let options = quick();
+    let model = build(&drawn(&g), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+    let (lo, hi) = model.surface.bounds();
+    let size = hi - lo;
+    assert!(size.max_element() < 1.3 * size.min_element() && size.min_element() > 0.15, "{size}");
+}
+
+#[test]
+fn a_plane_of_gaussians_is_a_thin_closed_sheet() {
+    let grid = (0..41 * 31).map(|i| Vec3::new((i % 41) as f32 * 0.03 - 0.6, 0.0, (i / 41) as f32 * 0.03 - 0.45));
+    let options = quick();
+    let model = build(&drawn(&dots(grid, 0.02)), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+    let (lo, hi) = model.surface.bounds();
+    assert!(hi.x - lo.x > 1.1 && hi.z - lo.z > 0.8 && hi.y - lo.y < 0.2, "{lo} {hi}");
+}
+
+#[test]
+fn a_hollow_shell_of_gaussians_has_no_inner_surface() {
+    let shell = super::super::fibonacci_sphere(4000).into_iter().map(|d| 0.7 * d);
+    let options = quick();
+    let model = build(&drawn(&dots(shell, 0.03)), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+    let solid = 4.0 / 3.0 * std::f64::consts::PI * 0.343;
+    assert!(model.surface.volume() > 0.93 * solid, "{} of {solid}", model.surface.volume());
+    assert!(model.surface.positions.iter().all(|p| p.length() > 0.55));
+}
+
+#[test]
+fn two_parts_of_gaussians_stay_two() {
+    let ball = |c: Vec3| super::super::fibonacci_sphere(1500).into_iter().map(move |d| c + 0.3 * d);
+    let g = dots(ball(Vec3::new(-0.5, 0.0, 0.0)).chain(ball(Vec3::new(0.5, 0.0, 0.0))), 0.03);
+    let options = quick();
+    let model = build(&drawn(&g), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+    let s = &model.surface;
+    // Euler characteristic of two balls.
+    assert_eq!(s.positions.len() as i64 - s.triangles.len() as i64 / 2, 4);
+}
+
+/// Minutes and gigabytes: `cargo test --release five_million -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn five_million_gaussians_make_a_model() {
+    let shell = super::super::fibonacci_sphere(5_000_000).into_iter().map(|d| d * Vec3::new(0.9, 0.5, 0.4));
+    let options = quick();
+    let model = build(&drawn(&dots(shell, 0.002)), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+}
+
+#[test]
+fn triangles_are_as_few_as_asked() {
+    let scene = scenes::car();
+    let options =
+        Options { levels: 3, triangles: Some(900), vertex_caps: Options::sized(Some(900), 256).vertex_caps, ..quick() };
+    let model = made(&scene, &options);
+    check(&model, &options);
+    let counts: Vec<usize> = model.levels.iter().map(|l| l.mesh.triangles.len()).collect();
+    assert!(counts[0] <= 900 && counts[0] > 700 && counts.windows(2).all(|w| w[1] < w[0]), "{counts:?}");
+    let error = build(&|c| scene.render(c), &[], &Options { triangles: Some(3), ..quick() }, &Silent).unwrap_err();
+    assert!(error.subject.contains("triangles"), "{error}");
+    assert_eq!(Options::sized(Some(40_000), 2048).vertex_caps[0], 30_000);
+    assert_eq!(Options::sized(None, 2048).texture_size, [2048, 1024, 512, 256]);
 }

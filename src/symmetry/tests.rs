@@ -1,0 +1,158 @@
+use super::*;
+use crate::splat::{SH_C0, render};
+use crate::views;
+use glam::Mat3;
+
+const GREY: [f32; 3] = [0.5; 3];
+
+/// Small round Gaussians over the sides of a box, coloured by where they are.
+fn boxed(low: Vec3, high: Vec3, color: impl Fn(Vec3) -> [f32; 3]) -> Gaussians {
+    const STEP: f32 = 0.035;
+    let mut g = Gaussians::default();
+    for axis in 0..3 {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let count = |k: usize| ((high[k] - low[k]) / STEP).ceil() as usize;
+        for side in [low[axis], high[axis]] {
+            for (i, j) in (0..=count(u)).flat_map(|i| (0..=count(v)).map(move |j| (i, j))) {
+                let mut p = Vec3::ZERO;
+                p[axis] = side;
+                p[u] = low[u] + (high[u] - low[u]) * i as f32 / count(u) as f32;
+                p[v] = low[v] + (high[v] - low[v]) * j as f32 / count(v) as f32;
+                g.positions.push(p);
+                g.log_scales.push(Vec3::splat(0.02f32.ln()));
+                g.rotations.push([1.0, 0.0, 0.0, 0.0]);
+                g.logit_opacities.push(5.0);
+                let mut sh = [[0.0; 3]; 16];
+                sh[0] = color(p).map(|c| (c - 0.5) / SH_C0);
+                g.sh.push(sh);
+            }
+        }
+    }
+    g
+}
+
+/// Bonnet, cabin and stripes; alike on both sides of y = 0, front towards −x.
+fn van(color: impl Fn(Vec3) -> [f32; 3]) -> Gaussians {
+    let mut g = boxed(Vec3::new(-0.8, -0.35, -0.4), Vec3::new(0.8, 0.35, 0.0), &color);
+    g.extend(&boxed(Vec3::new(-0.3, -0.35, 0.0), Vec3::new(0.8, 0.35, 0.4), &color));
+    g
+}
+
+fn stripes(p: Vec3) -> [f32; 3] {
+    let band = ((p.x * 6.0).floor() as i32).rem_euclid(3);
+    match band {
+        0 => [0.8, 0.2, 0.2],
+        1 => [0.2, 0.7, 0.3],
+        _ => [0.9, 0.9, 0.8 - p.z],
+    }
+}
+
+/// The scene turned and shifted, a photo of it, and the plane y = 0 after that.
+struct Case {
+    g: Gaussians,
+    camera: Camera,
+    color: Vec<[f32; 3]>,
+    mask: Vec<f32>,
+    truth: Plane,
+}
+
+impl Case {
+    fn new(g: Gaussians) -> Self {
+        let turn = Mat3::from_rotation_z(0.9);
+        let shift = Vec3::new(0.05, -0.04, 0.0);
+        let g = g.transformed(turn, 1.0, shift);
+        let camera = views::orbit(0.0, 15.0, views::DISTANCE, 192);
+        let frame = render(&g, &camera, GREY);
+        let normal = turn * Vec3::Y;
+        let truth = Plane { normal, offset: normal.dot(shift) };
+        Case { g, camera, color: frame.color, mask: frame.alpha, truth }
+    }
+
+    fn seen(&self) -> Seen<'_> {
+        Seen { camera: self.camera, color: &self.color, mask: &self.mask }
+    }
+}
+
+#[test]
+fn mirrored_gaussians_look_flipped_from_the_mirrored_camera() {
+    let mut g = van(stripes);
+    // Shapes and harmonics that a mirror changes.
+    for (i, sh) in g.sh.iter_mut().enumerate() {
+        for (basis, value) in sh.iter_mut().enumerate().skip(1) {
+            *value = [0.05 * ((i + basis) as f32).sin(), 0.03, -0.02];
+        }
+        g.log_scales[i].x += 0.5;
+        g.rotations[i] = [0.9, 0.3, -0.2, (i % 5) as f32 * 0.1];
+    }
+    let camera = Camera { cx: 60.0, ..views::orbit(20.0, 25.0, 4.0, 128) };
+    let plane = Plane { normal: Vec3::new(0.6, 0.8, 0.0), offset: 0.13 };
+    let (a, b) = (render(&g, &camera, GREY), render(&plane.gaussians(&g), &plane.camera(&camera), GREY));
+    let back = flipped(&b.color, 128);
+    let mean: f32 = a.color.iter().zip(&back).map(|(a, b)| (a[0] - b[0]).abs()).sum::<f32>() / a.color.len() as f32;
+    assert!(mean < 2e-4, "{mean}");
+    assert!((plane.camera(&camera).rotation.determinant() - 1.0).abs() < 1e-5);
+    let there = plane.reflect(Vec3::new(0.3, -0.2, 0.7));
+    assert!((plane.reflect(there) - Vec3::new(0.3, -0.2, 0.7)).length() < 1e-6);
+}
+
+#[test]
+fn the_plane_of_a_van_is_found() {
+    let case = Case::new(van(stripes));
+    let fit = find(&case.g, &case.seen()).unwrap();
+    let lean = fit.plane.normal.dot(case.truth.normal).abs().min(1.0).acos().to_degrees();
+    assert!(lean < 1.5, "{lean}° off: {fit:?}");
+    let offset = fit.plane.offset * fit.plane.normal.dot(case.truth.normal).signum();
+    assert!((offset - case.truth.offset).abs() < 0.02, "{offset} for {}", case.truth.offset);
+    assert!(fit.convinces(), "{fit:?}");
+    assert!(fit.plane.distance(case.camera.position()) > 0.0);
+}
+
+#[test]
+fn what_is_not_symmetric_does_not_convince() {
+    let mut crooked = van(|p| if p.y > 0.0 { stripes(p) } else { [0.1, 0.1, 0.4 + 0.3 * p.x] });
+    crooked.extend(&boxed(Vec3::new(-0.7, -0.9, -0.4), Vec3::new(-0.3, -0.35, 0.7), |_| [0.9, 0.8, 0.1]));
+    crooked.extend(&boxed(Vec3::new(0.5, 0.35, -0.4), Vec3::new(0.8, 0.8, -0.2), |_| [0.1, 0.8, 0.9]));
+    let case = Case::new(crooked);
+    let fit = find(&case.g, &case.seen());
+    assert!(fit.is_none_or(|f| !f.convinces()), "{fit:?}");
+    let nothing = Seen { mask: &vec![0.0; case.mask.len()], ..case.seen() };
+    assert!(find(&case.g, &nothing).is_none());
+}
+
+#[test]
+fn the_far_side_is_given_by_the_near_one() {
+    // The far side invented in one dull colour.
+    let true_case = Case::new(van(stripes));
+    let dull = true_case.g.clone();
+    let toward = true_case.truth.distance(true_case.camera.position()).signum();
+    let plane = Plane { normal: true_case.truth.normal * toward, offset: true_case.truth.offset * toward };
+    let mut invented = dull;
+    for i in 0..invented.len() {
+        if plane.distance(invented.positions[i]) < -0.3 {
+            invented.sh[i][0] = [0.0; 3];
+        }
+    }
+    let seen = true_case.seen();
+    let completed = complete(&invented, &seen, &plane);
+    // From the other side.
+    let other = plane.camera(&true_case.camera);
+    let truth = render(&true_case.g, &other, GREY);
+    let error = |g: &Gaussians| {
+        let shown = render(g, &other, GREY);
+        let pairs = shown.color.iter().zip(&truth.color);
+        pairs.map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f32>()).sum::<f32>()
+    };
+    assert!(error(&completed) < 0.1 * error(&invented), "{} {}", error(&completed), error(&invented));
+    // The photo's own side stays as it was.
+    let front = render(&completed, &true_case.camera, GREY);
+    let change: f32 = front.color.iter().zip(&true_case.color).map(|(a, b)| (a[0] - b[0]).abs()).sum::<f32>()
+        / front.color.len() as f32;
+    assert!(change < 0.01, "{change}");
+
+    let photo = mirrored_photo(&true_case.g, &seen, &plane);
+    assert_eq!(photo.camera, other);
+    let known = photo.seen_directly.iter().zip(&photo.mask).filter(|(s, m)| **s && **m > 0.5).count();
+    let all = photo.mask.iter().filter(|m| **m > 0.5).count();
+    // Front and roof are seen directly, the flank is not.
+    assert!((0.1..0.8).contains(&(known as f32 / all as f32)), "{known} of {all}");
+}
