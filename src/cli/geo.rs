@@ -533,7 +533,10 @@ fn params(
         let n = fit.plane.normal;
         let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;
         add("symmetry_plane_normal_bearing_deg", Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
-        add("symmetry_shape_distance_m", Some(text(format!("{:.4}", f64::from(fit.shape) * placed.scale.metres_per_unit))));
+        add(
+            "symmetry_shape_distance_m",
+            Some(text(format!("{:.4}", f64::from(fit.shape) * placed.scale.metres_per_unit))),
+        );
         add("symmetry_contradicted", share(fit.contradicted));
         add("symmetry_colour_difference", share(fit.color));
         add("symmetry_silhouette_iou", share(fit.silhouette));

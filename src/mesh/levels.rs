@@ -114,14 +114,9 @@ fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dy
         progress.check()?;
         let size = options.texture_size[level];
         let texels = 0.65 * (size as f32).powi(2);
-        let start = std::time::Instant::now();
         let caps = (options.vertex_caps[level], options.target(level));
         let (surface, charts) = fit(&mut simplifier, caps, texels, solid, &mut coarser)?;
-        let t1 = start.elapsed();
         let atlas = pack::pack(&charts, size)?;
-        if std::env::var("SAY").is_ok() {
-            eprintln!("LEVEL {level} charts {} fit {:?} pack {:?}", charts.len(), t1, start.elapsed() - t1);
-        }
         meshes.push(assemble(&surface, &charts, &atlas.uv));
         progress.step(level as u64 + 1);
     }

@@ -257,10 +257,6 @@ pub fn build(
     levels::build(render, photos, options, progress)
 }
 
-pub(crate) fn knob(name: &str, default: f32) -> f32 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
-}
-
 /// Renders and checks that the arrays fit the camera.
 pub(crate) fn rendered(render: &(dyn Fn(&Camera) -> View + Sync), camera: &Camera) -> Result<View> {
     let view = render(camera);

@@ -39,17 +39,6 @@ impl Bits {
     fn count(&self) -> usize {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
-    fn transposed(&self) -> Bits {
-        let mut out = Bits::new(self.height, self.width);
-        for y in 0..self.height {
-            for x in 0..self.width {
-                if self.get(x, y) {
-                    out.set(y, x);
-                }
-            }
-        }
-        out
-    }
     /// The last cell of row `y` taken both here and by `other`'s row `oy` shifted right by `x`.
     fn last_clash(&self, y: usize, other: &Bits, oy: usize, x: usize) -> Option<usize> {
         let row = &self.rows[y * self.words..(y + 1) * self.words];
@@ -75,12 +64,12 @@ impl Bits {
             }
         }
     }
-    /// The lowest, then leftmost place where `shape` fits.
-    fn place(&self, shape: &Bits) -> Option<(usize, usize)> {
-        if shape.width > self.width || shape.height > self.height {
+    /// The lowest, then leftmost place where `shape` fits and ends at row `below` or before.
+    fn place(&self, shape: &Bits, below: usize) -> Option<(usize, usize)> {
+        if shape.width > self.width || shape.height > self.height.min(below) {
             return None;
         }
-        for y in 0..=self.height - shape.height {
+        for y in 0..=self.height.min(below) - shape.height {
             let mut x = 0;
             'next: while x + shape.width <= self.width {
                 for oy in 0..shape.height {
@@ -105,7 +94,7 @@ impl Bits {
 ///
 /// Errors: `Usage` when there are more charts than the texture has room for.
 pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
-    let cell = size as f32 / super::knob("CELLS", 512.0);
+    let cell = (size / 256).max(1) as f32;
     let area: f32 =
         charts.iter().flat_map(|c| &c.corners).map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
     let whole = (size as f32).powi(2) / area.max(1e-12);
@@ -138,7 +127,7 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
         .zip(places)
         .map(|(chart, place)| {
             let to_uv = |p: Vec2| {
-                let p = if place.turned { Vec2::new(p.y, p.x) } else { p };
+                let p = place.turn.of(p, chart.size);
                 let p = (p * scale + Vec2::splat(PADDING) + place.at) / size as f32;
                 Vec2::new(p.x, 1.0 - p.y)
             };
@@ -152,8 +141,29 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
 struct Place {
     /// Texels.
     at: Vec2,
-    /// x and y exchanged.
-    turned: bool,
+    turn: Turn,
+}
+
+/// One of the eight ways to lay an upright box onto a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Turn {
+    /// Left and right, top and bottom, then x and y are exchanged.
+    x: bool,
+    y: bool,
+    axes: bool,
+}
+
+impl Turn {
+    /// The first two are upright and lying.
+    fn nth(k: usize) -> Self {
+        Turn { axes: k & 1 == 1, x: k & 2 == 2, y: k & 4 == 4 }
+    }
+
+    /// Where a point of a box of this size comes to lie.
+    fn of(self, p: Vec2, size: Vec2) -> Vec2 {
+        let p = Vec2::new(if self.x { size.x - p.x } else { p.x }, if self.y { size.y - p.y } else { p.y });
+        if self.axes { Vec2::new(p.y, p.x) } else { p }
+    }
 }
 
 /// Largest first by different notions of large, then slightly shuffled: a bad start rarely stays bad in all of them.
@@ -184,14 +194,10 @@ fn orders(shapes: &[&Bits]) -> Vec<Vec<usize>> {
 }
 
 fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<Place>> {
-    let shapes: Vec<[Bits; 2]> = charts
-        .iter()
-        .map(|c| {
-            let upright = outline(c, scale, cell);
-            let turned = upright.transposed();
-            [upright, turned]
-        })
-        .collect();
+    // With many charts the other ways hardly help and cost most.
+    let ways = if charts.len() <= 64 { 8 } else { 2 };
+    let shapes: Vec<Vec<Bits>> =
+        charts.par_iter().map(|c| (0..ways).map(|k| outline(c, Turn::nth(k), scale, cell)).collect()).collect();
     let upright: Vec<&Bits> = shapes.iter().map(|s| &s[0]).collect();
     let cells = (size as f32 / cell) as usize;
     if upright.iter().map(|s| s.count()).sum::<usize>() > cells * cells {
@@ -200,31 +206,36 @@ fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<P
     orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells, cell))
 }
 
-fn place_in_order(shapes: &[[Bits; 2]], order: &[usize], cells: usize, cell: f32) -> Option<Vec<Place>> {
+fn place_in_order(shapes: &[Vec<Bits>], order: &[usize], cells: usize, cell: f32) -> Option<Vec<Place>> {
     let mut atlas = Bits::new(cells, cells);
     let mut places = vec![Place::default(); shapes.len()];
     for &i in order {
-        let [upright, turned] = &shapes[i];
-        let [a, b] = [atlas.place(upright), atlas.place(turned)];
-        // The one that ends lower.
-        let top = |p: Option<(usize, usize)>, shape: &Bits| p.map_or(usize::MAX, |(_, y)| y + shape.height);
-        let take_turned = top(b, turned) < top(a, upright);
-        let (shape, (x, y)) = if take_turned { (turned, b?) } else { (upright, a?) };
-        atlas.add(shape, x, y);
-        places[i] = Place { at: Vec2::new(x as f32, y as f32) * cell, turned: take_turned };
+        // The way that ends lowest, then leftmost.
+        let mut best: Option<(usize, usize, usize)> = None;
+        for (k, shape) in shapes[i].iter().enumerate() {
+            if let Some((x, y)) = atlas.place(shape, best.map_or(cells, |b| b.0)) {
+                let found = (y + shape.height, x, k);
+                best = Some(best.map_or(found, |b| b.min(found)));
+            }
+        }
+        let (top, x, k) = best?;
+        let y = top - shapes[i][k].height;
+        atlas.add(&shapes[i][k], x, y);
+        places[i] = Place { at: Vec2::new(x as f32, y as f32) * cell, turn: Turn::nth(k) };
     }
     Some(places)
 }
 
 /// Cells that a chart and its padding touch.
-fn outline(chart: &Chart, scale: f32, cell: f32) -> Bits {
+fn outline(chart: &Chart, turn: Turn, scale: f32, cell: f32) -> Bits {
     let border = Vec2::splat(PADDING);
-    let extent = (chart.size * scale + 2.0 * border) / cell;
+    let size = if turn.axes { Vec2::new(chart.size.y, chart.size.x) } else { chart.size };
+    let extent = (size * scale + 2.0 * border) / cell;
     let (w, h) = (extent.x.ceil().max(1.0) as usize, extent.y.ceil().max(1.0) as usize);
     let mut bits = Bits::new(w, h);
     let reach = PADDING / cell + std::f32::consts::FRAC_1_SQRT_2;
     for t in &chart.corners {
-        let t = t.map(|p| (p * scale + border) / cell);
+        let t = t.map(|p| (turn.of(p, chart.size) * scale + border) / cell);
         cells_inside(t, w, h, -reach, |x, y| bits.set(x, y));
         // A face that is a line when flat covers no cell centre, but its corners need room.
         for p in t {
