@@ -1,7 +1,7 @@
 // Raster, the way back, with subgroups: a workgroup of THREADS threads a tile of 16×16 pixels, PIXELS pixels a thread,
 // every subgroup on its own block of the tile. (THREADS · PIXELS = 256; GROUPS = THREADS / lanes.)
 //
-// The tile's splats pass through workgroup memory 32 at a time. A subgroup skips those whose box misses its block, sums
+// The tile's splats pass through workgroup memory 32 at a time. A subgroup lists those whose box meets its block, sums
 // the nine numbers of records.wgsl over its pixels, and leaves them; when all have, the subgroups' sums are added in
 // order and written to the pair's own place. Nothing is added atomically: the same bytes every time.
 
@@ -21,7 +21,9 @@ var<workgroup> boxes: array<vec4<f32>, BATCH>;
 var<workgroup> forms: array<vec4<f32>, BATCH>;
 var<workgroup> tints: array<vec4<f32>, BATCH>;
 var<workgroup> targets: array<u32, BATCH>;
-// Which of the batch each subgroup touched, and its sums.
+// Which of the batch meet each subgroup's block.
+var<workgroup> lists: array<u32, GROUPS * BATCH>;
+// Which of them it touched, and its sums.
 var<workgroup> touched: array<u32, GROUPS>;
 var<workgroup> partials: array<f32, GROUPS * BATCH * RECORD>;
 var<workgroup> open: atomic<u32>;
@@ -80,12 +82,30 @@ fn main(
             atomicStore(&open, 0u);
         }
         workgroupBarrier();
-        var mine = 0u;
-        for (var i = 0u; i < count; i++) {
-            let place = boxes[i];
-            if (any(place.xy + place.zw < low) || any(place.xy - place.zw > high)) {
-                continue;
+        var any_open = false;
+        for (var k = 0u; k < PIXELS; k++) {
+            any_open = any_open || walks[k].open;
+        }
+        any_open = subgroupAny(any_open);
+        var kept = 0u;
+        for (var j = 0u; j < BATCH; j += LANES) {
+            let i = j + lane;
+            var meets = false;
+            if (i < count && any_open) {
+                let place = boxes[i];
+                meets = all(place.xy + place.zw >= low) && all(place.xy - place.zw <= high);
             }
+            let slot = kept + subgroupExclusiveAdd(select(0u, 1u, meets));
+            kept += subgroupAdd(select(0u, 1u, meets));
+            if (meets) {
+                lists[subgroup * BATCH + slot] = i;
+            }
+        }
+        subgroupBarrier();
+        var mine = 0u;
+        for (var l = 0u; l < kept; l++) {
+            let i = lists[subgroup * BATCH + l];
+            let place = boxes[i];
             let form = forms[i];
             let tint = tints[i].xyz;
             var first = vec4(0.0);
@@ -95,13 +115,15 @@ fn main(
             for (var k = 0u; k < PIXELS; k++) {
                 let d = centres[k] - place.xy;
                 let e = exponent(d, form);
-                if (e >= MIN_LEVEL && walks[k].open) {
-                    let s = walk(&walks[k], e, tint);
+                var p = walks[k];
+                if (e >= MIN_LEVEL && p.open) {
+                    let s = walk(&p, e, tint);
+                    walks[k] = p;
                     hit = true;
                     let gd = s.g * d;
                     first += vec4(s.g, gd, gd.x * d.x);
-                    second += vec4(gd.x * d.y, gd.y * d.y, s.w * walks[k].v.xy);
-                    last += s.w * walks[k].v.z;
+                    second += vec4(gd.x * d.y, gd.y * d.y, s.w * p.v.xy);
+                    last += s.w * p.v.z;
                 }
             }
             if (!subgroupAny(hit)) {

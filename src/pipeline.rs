@@ -84,6 +84,7 @@ pub fn reconstruct(
     photo: &Photo,
     engine: &dyn Engine,
     sources: &Sources,
+    fitter: splat::Engine,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Reconstruction> {
@@ -145,7 +146,7 @@ pub fn reconstruct(
     };
     clock.lap("six views");
 
-    let trained = optimise(&one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
+    let trained = optimise(fitter, &one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
     clock.lap("optimisation");
 
     let mut photos = vec![mesh::PhotoView {
@@ -188,6 +189,7 @@ pub fn reconstruct(
 /// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, and views
 /// between them that are measured but never trained on.
 fn optimise(
+    fitter: splat::Engine,
     prior: &OneView,
     mirrored: Option<&MirroredPhoto>,
     six: &[(Camera, Frame)],
@@ -227,12 +229,12 @@ fn optimise(
     progress.begin("optimisation", 0);
     let mut iterations = settings.iterations as usize;
     if let Some(limit) = settings.optimise_within {
-        let fits = splat::train::iterations_within(&prior.gaussians, &targets, limit.as_secs_f64(), progress)?;
+        let fits = splat::train::iterations_within(fitter, &prior.gaussians, &targets, limit.as_secs_f64(), progress)?;
         iterations = iterations.min(fits);
     }
     let options =
         splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
-    splat::train(prior.gaussians.clone(), &targets, &options, progress)
+    splat::train(fitter, prior.gaussians.clone(), &targets, &options, progress)
 }
 
 /// About 3% of the pixels in 4 × 4 blocks, from the seed: never trained on, so that they can be measured.

@@ -324,7 +324,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         }
     };
     let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
-    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, &settings, &bar)?;
+    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, crate::splat::Engine::Cpu, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();

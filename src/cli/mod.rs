@@ -54,6 +54,8 @@ enum Bench {
     Speed(bench::speed::Speed),
     /// How true models are whose subjects' meshes are known.
     Mesh(bench::mesh::MeshBench),
+    /// How fast splats are fitted to pictures, and how well.
+    Train(bench::train::Train),
 }
 
 /// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
@@ -99,6 +101,12 @@ pub fn main() -> ExitCode {
         Verb::Doctor(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| doctor::run(&args, &data))
             .map(show),
+        Verb::Bench(Bench::Train(args)) => {
+            let bar = bar::Bar::new(&stop, false);
+            let done = bench::train::run(&args, &bar, &mut |line| eprintln!("orb: {line}"));
+            bar.finish();
+            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
+        }
         Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| audit::run(&args, &data))
             .map(show),

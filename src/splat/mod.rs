@@ -11,4 +11,4 @@ pub mod train;
 pub use camera::Camera;
 pub use gaussians::{Gaussians, SH_C0, SH_COEFFICIENTS};
 pub use render::{Frame, render};
-pub use train::{Options, Report, Target, Trained, train};
+pub use train::{Engine, Options, Report, Target, Trained, train};

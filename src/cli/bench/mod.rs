@@ -2,6 +2,8 @@
 
 mod compare;
 pub mod mesh;
+mod nerf;
 mod scene;
 pub mod speed;
+pub mod train;
 mod truth;

@@ -6,10 +6,13 @@ use glam::{Quat, Vec3};
 use crate::splat::{Camera, Gaussians};
 
 /// SplitMix64 (Steele et al. 2014), then Box and Muller's normal numbers.
-struct Random(u64);
+pub struct Random(u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    pub fn new(seed: u64) -> Random {
+        Random(seed)
+    }
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -19,7 +22,7 @@ impl Random {
     fn uniform(&mut self, low: f32, high: f32) -> f32 {
         low + (high - low) * (self.bits() >> 40) as f32 / (1u64 << 24) as f32
     }
-    fn normal(&mut self, mean: f32, deviation: f32) -> f32 {
+    pub fn normal(&mut self, mean: f32, deviation: f32) -> f32 {
         let radius = (-2.0 * self.uniform(1e-7, 1.0).ln()).sqrt();
         mean + deviation * radius * (std::f32::consts::TAU * self.uniform(0.0, 1.0)).cos()
     }

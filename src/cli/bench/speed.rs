@@ -10,6 +10,7 @@ use crate::cli::device::Device;
 use crate::cli::{cameras, render};
 use crate::progress::Progress;
 use crate::splat::render::gpu::{Gpu, Renderer, STAGES, Scene, Timing};
+use crate::splat::train::gpu::measure::{self, forward_backward};
 use crate::splat::{self, Camera, Gaussians};
 use crate::{Error, Result};
 
@@ -134,6 +135,17 @@ fn on_gpu(
         .map(|(s, n)| ((*n).to_owned(), median(times.iter().map(|t| t.stages[s]).collect()).into()))
         .collect();
     let timed = !times.is_empty();
+    let target = renderer.render(&uploaded, &views[0], [0.0; 3])?.color;
+    drop(uploaded);
+    let same_size = views.iter().all(|v| (v.width, v.height) == (views[0].width, views[0].height));
+    let back = if same_size { forward_backward(gpu, g, views, &target, pictures.div_ceil(views.len())).ok() } else { None };
+    let back = back.map(|b| {
+        let stages: serde_json::Map<String, Value> = measure::stages()
+            .zip(b.stages.iter().flatten())
+            .map(|(name, ms)| (name.to_owned(), (*ms).into()))
+            .collect();
+        json!({ "wall_ms": b.wall, "gpu_ms": b.gpu, "stages_ms": stages, "memory_mib": b.peak_bytes >> 20 })
+    });
     Ok(json!({
         "scene": name, "gaussians": g.len(),
         "width": views[0].width, "height": views[0].height,
@@ -144,6 +156,7 @@ fn on_gpu(
         "seen": median(counted.iter().map(|c| f64::from(c.seen)).collect()),
         "pairs": median(counted.iter().map(|c| f64::from(c.pairs)).collect()),
         "lists_mib": renderer.bytes() >> 20,
+        "forward_backward": back,
     }))
 }
 
@@ -172,14 +185,14 @@ fn table(result: &Value) -> String {
     if let Some(s) = result["startup_s"].as_f64() {
         out += &format!(", opened in {s:.2} s");
     }
-    out += "\n\n| scene | Gaussians | picture | pictures/s | wall ms | GPU ms |";
+    out += "\n\n| scene | Gaussians | picture | pictures/s | wall ms | GPU ms | forward + backward, wall ms |";
     STAGES.iter().for_each(|s| out += &format!(" {s} |"));
-    out += "\n|---|---|---|---|---|---|";
+    out += "\n|---|---|---|---|---|---|---|";
     STAGES.iter().for_each(|_| out += "---|");
     let ms = |v: &Value| v.as_f64().map_or("–".to_owned(), |v| format!("{v:.3}"));
     for r in result["render"].as_array().into_iter().flatten() {
         out += &format!(
-            "\n| {} | {} | {}×{} | {:.0} | {} | {} |",
+            "\n| {} | {} | {}×{} | {:.0} | {} | {} | {} |",
             r["scene"].as_str().unwrap_or(""),
             r["gaussians"],
             r["width"],
@@ -187,6 +200,7 @@ fn table(result: &Value) -> String {
             r["fps"].as_f64().unwrap_or(0.0),
             ms(&r["wall_ms"]),
             ms(&r["gpu_ms"]),
+            ms(&r["forward_backward"]["wall_ms"]),
         );
         STAGES.iter().for_each(|s| out += &format!(" {} |", ms(&r["stages_ms"][*s])));
     }

@@ -8,7 +8,7 @@ pub const BETA2: f32 = 0.999;
 const EPSILON: f32 = 1e-15;
 
 /// First and second moments, and how often each Gaussian was stepped.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
     pub core: Vec<[Core; 2]>,
     pub sh: Vec<[Sh; 2]>,

@@ -9,7 +9,7 @@ use super::schedule::Density;
 use crate::splat::packed::{Core, OPACITY, POSITION, Packed, ROTATION, SCALE};
 
 /// For each Gaussian: Σ |∂L/∂mean| in normalised device units, and in how many pictures it was seen.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Statistics {
     pub seen: Vec<[f32; 2]>,
 }

@@ -1,7 +1,9 @@
-//! Fits Gaussians to pictures: Kerbl et al. 2023, §5, on the CPU.
+//! Fits Gaussians to pictures: Kerbl et al. 2023, §5, on the CPU or on the GPU.
 
 mod adam;
+mod cpu;
 mod density;
+pub mod gpu;
 mod loss;
 mod pose;
 mod quality;
@@ -14,15 +16,14 @@ mod update;
 use std::time::Instant;
 
 pub use quality::Quality;
-pub use schedule::{Density, Options, Rates};
+pub use schedule::{Behind, Density, Options, Rates};
 
 use super::packed::Packed;
 use super::render::Raster;
-use super::render::projection::View;
+use super::render::gpu::Gpu;
 use super::{Camera, Gaussians};
 use crate::progress::Progress;
 use crate::{Error, Result};
-use loss::{Loss, Wanted};
 
 /// A picture to be matched.
 #[derive(Clone, Debug)]
@@ -57,6 +58,8 @@ pub struct Report {
     pub gaussians_after: usize,
     pub targets: Vec<TargetReport>,
     pub seconds: Seconds,
+    /// Most bytes of GPU buffers at one time; 0 on the CPU.
+    pub peak_bytes: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -70,6 +73,10 @@ pub struct TargetReport {
 /// Wall-clock time a phase.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seconds {
+    /// Upload and kernels' compilation on the GPU, layouts on the CPU.
+    pub setup: f64,
+    /// All iterations and density control. What follows up to `update` is known on the CPU alone.
+    pub train: f64,
     /// Projection, sorting, binning.
     pub project: f64,
     pub forward: f64,
@@ -82,104 +89,132 @@ pub struct Seconds {
     pub measure: f64,
 }
 
-/// Optimises `g` on `targets`. The same input gives the same bytes whatever the number of threads, unless
-/// [`Options::deadline`] ends the run.
+/// Where training runs.
+#[derive(Clone, Copy)]
+pub enum Engine<'a> {
+    Cpu,
+    Gpu(&'a Gpu),
+}
+
+/// All that goes on from one iteration to the next: a run that is taken up again from one ends as if it had never
+/// stopped, on the same engine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// Iterations done.
+    pub iteration: usize,
+    gaussians: Packed,
+    moments: adam::Moments,
+    statistics: density::Statistics,
+    /// One a target, in order.
+    pub cameras: Vec<Camera>,
+    poses: Vec<pose::Pose>,
+}
+
+impl Checkpoint {
+    /// Before the first iteration.
+    ///
+    /// # Errors
+    /// Usage: parameter arrays of different lengths; a target whose buffers do not fit its camera.
+    pub fn new(g: &Gaussians, targets: &[Target]) -> Result<Checkpoint> {
+        check(g, targets)?;
+        let gaussians = Packed::pack(g);
+        Ok(Checkpoint {
+            iteration: 0,
+            moments: adam::Moments::new(&gaussians),
+            statistics: density::Statistics::new(gaussians.len()),
+            cameras: targets.iter().map(|t| t.camera).collect(),
+            poses: vec![pose::Pose::default(); targets.len()],
+            gaussians,
+        })
+    }
+
+    pub fn gaussians(&self) -> Gaussians {
+        self.gaussians.unpack()
+    }
+}
+
+/// What [`advance`] gives back.
+#[derive(Clone, Debug)]
+pub struct Advanced {
+    pub checkpoint: Checkpoint,
+    pub stopped_by_deadline: bool,
+    pub seconds: Seconds,
+    /// Most bytes of GPU buffers at one time; 0 on the CPU.
+    pub peak_bytes: u64,
+}
+
+/// Trains from `at` up to iteration `until` of the schedule in `options`.
 ///
 /// # Errors
-/// A target whose buffers do not fit its camera; nothing to train; the user's interrupt.
-pub fn train(g: Gaussians, targets: &[Target], options: &Options, progress: &dyn Progress) -> Result<Trained> {
-    check(&g, targets)?;
-    let mut gaussians = Packed::pack(&g);
-    drop(g);
-    let mut cameras: Vec<Camera> = targets.iter().map(|t| t.camera).collect();
-    let mut raster = Raster::default();
-    let mut seconds = Seconds::default();
-    let mut clock = Instant::now();
-    let mut lap = move || {
-        let now = Instant::now();
-        (now - std::mem::replace(&mut clock, now)).as_secs_f64()
-    };
-
-    let wanted: Vec<Wanted> = targets
-        .iter()
-        .map(|t| {
-            Wanted::new(t.camera.width as usize, t.camera.height as usize, &t.color, &t.alpha, t.held_back.as_deref())
-        })
-        .collect();
-    let mut losses: Vec<((usize, usize), Loss)> = Vec::new();
-    for w in &wanted {
-        if losses.iter().all(|(size, _)| *size != (w.width, w.height)) {
-            losses.push(((w.width, w.height), Loss::new(w.width, w.height)));
-        }
+/// The user's interrupt; environment from the GPU.
+pub fn advance(
+    engine: Engine,
+    at: Checkpoint,
+    targets: &[Target],
+    options: &Options,
+    until: usize,
+    progress: &dyn Progress,
+) -> Result<Advanced> {
+    let until = until.min(options.iterations);
+    if at.gaussians.len() == 0 {
+        return Ok(Advanced {
+            checkpoint: at,
+            stopped_by_deadline: false,
+            seconds: Seconds::default(),
+            peak_bytes: 0,
+        });
     }
-    let before = quality::measure(&mut raster, &gaussians, &cameras, targets);
-    seconds.measure += lap();
+    match engine {
+        Engine::Cpu => cpu::advance(at, targets, options, until, progress),
+        Engine::Gpu(gpu) => gpu::advance(gpu, at, targets, options, until, progress),
+    }
+}
 
-    let mut moments = adam::Moments::new(&gaussians);
-    let mut statistics = density::Statistics::new(gaussians.len());
-    let mut poses = vec![pose::Pose::default(); targets.len()];
-    let corrections: Vec<[f32; 2]> = (0..=options.iterations as u32).map(|s| adam::corrections(s.max(1))).collect();
+/// Optimises `g` on `targets`. The same input gives the same bytes on the same engine, whatever the number of threads,
+/// unless [`Options::deadline`] ends the run.
+///
+/// # Errors
+/// A target whose buffers do not fit its camera; the user's interrupt; environment from the GPU.
+pub fn train(
+    engine: Engine,
+    g: Gaussians,
+    targets: &[Target],
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Trained> {
+    let start = Checkpoint::new(&g, targets)?;
+    drop(g);
+    let gaussians_before = start.gaussians.len();
+    let mut raster = Raster::default();
+    let clock = Instant::now();
+    let before = quality::measure(&mut raster, &start.gaussians, &start.cameras, targets, options.behind);
+    let mut measured = clock.elapsed();
+    progress.begin("optimise Gaussians", options.iterations as u64);
+    let done = advance(engine, start, targets, options, options.iterations, progress)?;
+    let end = done.checkpoint;
+    let clock = Instant::now();
+    let after = quality::measure(&mut raster, &end.gaussians, &end.cameras, targets, options.behind);
+    measured += clock.elapsed();
     let mut turns = schedule::Turns::new(targets.iter().map(|t| t.weight));
     let mut taken = vec![0; targets.len()];
-    let mut random = random::Random::new(options.seed);
-    let mut report = Report { gaussians_before: gaussians.len(), ..Default::default() };
-
-    progress.begin("optimise Gaussians", options.iterations as u64);
-    for iteration in 0..options.iterations {
-        progress.check()?;
-        if options.deadline.is_some_and(|d| Instant::now() >= d) {
-            report.stopped_by_deadline = true;
-            break;
-        }
-        let Some(turn) = turns.next() else { break };
+    for turn in (0..end.iteration).map_while(|_| turns.next()) {
         taken[turn] += 1;
-        let (target, wanted) = (&targets[turn], &wanted[turn]);
-        let Some((_, loss)) = losses.iter_mut().find(|(size, _)| *size == (wanted.width, wanted.height)) else { break };
-        let view = View::new(&cameras[turn]);
-        let degree = options.degree(iteration);
-        lap();
-        raster.bins.build(&gaussians, &view, degree);
-        seconds.project += lap();
-        raster.forward(&view, None);
-        seconds.forward += lap();
-        let starts = &raster.bins.starts;
-        let drawn = |t: usize| starts[t] < starts[t + 1];
-        loss.evaluate(&raster.tiles, drawn, wanted, options.background(iteration), options.lambda_dssim, 1.0);
-        seconds.loss += lap();
-        raster.backward(&loss.tiles);
-        seconds.backward += lap();
-        let rates = options.lane_rates(iteration);
-        let pose_gradient =
-            update::update(&raster, &view, degree, &rates, &corrections, &mut gaussians, &mut moments, &mut statistics);
-        if target.refine_pose && iteration >= options.pose_from {
-            let distance = cameras[turn].translation.length();
-            poses[turn].step(&mut cameras[turn], pose_gradient, options.rates.pose, distance);
-        }
-        seconds.update += lap();
-        let (done, d) = (iteration + 1, &options.density);
-        if done > d.from && done < d.until && done.is_multiple_of(d.every.max(1)) {
-            density::refine(&mut gaussians, &mut moments, &mut statistics, d, options.scene_extent, &mut random);
-        }
-        if d.reset_every > 0 && done < d.until && done.is_multiple_of(d.reset_every) {
-            density::reset_opacity(&mut gaussians, &mut moments, d.prune_opacity);
-        }
-        seconds.density += lap();
-        report.iterations = done;
-        progress.step(done as u64);
     }
-
-    lap();
-    let after = quality::measure(&mut raster, &gaussians, &cameras, targets);
-    seconds.measure += lap();
-    report.gaussians_after = gaussians.len();
-    report.seconds = seconds;
-    report.targets = targets
-        .iter()
-        .zip(before.into_iter().zip(after))
-        .zip(taken)
-        .map(|((t, (before, after)), turns)| TargetReport { name: t.name.clone(), before, after, turns })
-        .collect();
-    Ok(Trained { gaussians: gaussians.unpack(), cameras, report })
+    let report = Report {
+        iterations: end.iteration,
+        stopped_by_deadline: done.stopped_by_deadline,
+        gaussians_before,
+        gaussians_after: end.gaussians.len(),
+        targets: targets
+            .iter()
+            .zip(before.into_iter().zip(after))
+            .zip(taken)
+            .map(|((t, (before, after)), turns)| TargetReport { name: t.name.clone(), before, after, turns })
+            .collect(),
+        seconds: Seconds { measure: measured.as_secs_f64(), ..done.seconds },
+        peak_bytes: done.peak_bytes,
+    };
+    Ok(Trained { gaussians: end.gaussians.unpack(), cameras: end.cameras, report })
 }
 
 /// How many iterations of [`Options::scaled`] this machine does in `seconds` on this input: tries a few and measures.
@@ -189,13 +224,19 @@ pub fn train(g: Gaussians, targets: &[Target], options: &Options, progress: &dyn
 ///
 /// # Errors
 /// As [`train`].
-pub fn iterations_within(g: &Gaussians, targets: &[Target], seconds: f64, progress: &dyn Progress) -> Result<usize> {
+pub fn iterations_within(
+    engine: Engine,
+    g: &Gaussians,
+    targets: &[Target],
+    seconds: f64,
+    progress: &dyn Progress,
+) -> Result<usize> {
     const TRIED: usize = 14;
     /// Iterations get dearer while the Gaussians multiply.
     const GROWTH: f64 = 1.3;
     let quiet = Muted(progress);
-    let s = train(g.clone(), targets, &Options::scaled(TRIED), &quiet)?.report.seconds;
-    let each = GROWTH * (s.project + s.forward + s.loss + s.backward + s.update) / TRIED as f64;
+    let s = train(engine, g.clone(), targets, &Options::scaled(TRIED), &quiet)?.report.seconds;
+    let each = GROWTH * s.train / TRIED as f64;
     Ok(((seconds / each.max(1e-6) / 50.0) as usize * 50).clamp(50, 7000))
 }
 

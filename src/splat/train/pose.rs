@@ -6,13 +6,27 @@ use super::adam::{BETA1, BETA2};
 use crate::splat::Camera;
 
 /// Adam's memory for one camera.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     moments: [[f32; 6]; 2],
     steps: i32,
 }
 
 impl Pose {
+    /// As shaders/end.wgsl has it: first moments of translation (then the steps) and rotation, then second ones.
+    pub fn words(&self) -> [f32; 16] {
+        std::array::from_fn(|k| match (k / 4, k % 4) {
+            (0, 3) => self.steps as f32,
+            (_, 3) => 0.0,
+            (row, k) => self.moments[row / 2][row % 2 * 3 + k],
+        })
+    }
+
+    pub fn from_words(words: &[f32; 16]) -> Pose {
+        let moments = std::array::from_fn(|m| std::array::from_fn(|k| words[8 * m + k / 3 * 4 + k % 3]));
+        Pose { moments, steps: words[3] as i32 }
+    }
+
     /// One step against `gradient` (translation, rotation vector). `rate` is in radians; translations take `rate` times
     /// `distance`, so that both move the picture alike. A gradient that is not finite changes nothing.
     pub fn step(&mut self, camera: &mut Camera, gradient: [f32; 6], rate: f32, distance: f32) {

@@ -1,13 +1,13 @@
 //! How near the render comes to a target, in decibels.
 
-use super::Target;
+use super::{Behind, Target};
 use crate::splat::Camera;
 use crate::splat::packed::Packed;
 use crate::splat::render::Raster;
 use crate::splat::render::binning::TILE;
 use crate::splat::render::projection::View;
 
-/// PSNR in dB, both pictures over mid-grey, the render clamped to 0..1.
+/// PSNR in dB, both pictures over mid-grey or the fixed background, the render clamped to 0..1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
     /// Over pixels trained on, inside the mask (alpha > ½).
@@ -18,7 +18,17 @@ pub struct Quality {
     pub held_back: Option<f32>,
 }
 
-pub fn measure(raster: &mut Raster, gaussians: &Packed, cameras: &[Camera], targets: &[Target]) -> Vec<Quality> {
+pub fn measure(
+    raster: &mut Raster,
+    gaussians: &Packed,
+    cameras: &[Camera],
+    targets: &[Target],
+    behind: Behind,
+) -> Vec<Quality> {
+    let behind = match behind {
+        Behind::Changing => [0.5; 3],
+        Behind::Fixed(color) => color,
+    };
     cameras
         .iter()
         .zip(targets)
@@ -34,9 +44,9 @@ pub fn measure(raster: &mut Raster, gaussians: &Packed, cameras: &[Camera], targ
                 let at = y % TILE * TILE + x % TILE;
                 let through = tile.transmittance[at].abs();
                 let mut square = 0.0;
-                for (wanted, color) in wanted.iter().zip(&tile.color) {
-                    let rendered = (color[at] + 0.5 * through).clamp(0.0, 1.0);
-                    let e = (rendered - (wanted * alpha + 0.5 * (1.0 - alpha))) as f64;
+                for ((wanted, color), behind) in wanted.iter().zip(&tile.color).zip(behind) {
+                    let rendered = (color[at] + behind * through).clamp(0.0, 1.0);
+                    let e = (rendered - (wanted * alpha + behind * (1.0 - alpha))) as f64;
                     square += e * e / 3.0;
                 }
                 let held = target.held_back.as_ref().is_some_and(|h| h[i]);

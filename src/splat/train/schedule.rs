@@ -52,11 +52,15 @@ pub struct Options {
     pub rates: Rates,
     /// Size of the scene: 1.1 times the cameras' distance in gsplat.
     pub scene_extent: f32,
+    /// Degree of harmonics at the start.
+    pub first_degree: usize,
     /// One more degree of harmonics every so many iterations.
     pub sh_degree_every: usize,
     pub density: Density,
     /// Poses are refined from this iteration on.
     pub pose_from: usize,
+    /// What lies behind the subject in the loss.
+    pub behind: Behind,
     /// Stop here even if iterations are left. A run that this stops depends on the machine's speed.
     pub deadline: Option<Instant>,
 }
@@ -80,6 +84,7 @@ impl Default for Options {
                 final_share: 1.0,
             },
             scene_extent: 4.3,
+            first_degree: 0,
             sh_degree_every: 1000,
             density: Density {
                 every: 100,
@@ -93,9 +98,30 @@ impl Default for Options {
                 reset_every: 3000,
             },
             pose_from: 500,
+            behind: Behind::Changing,
             deadline: None,
         }
     }
+}
+
+/// What lies behind the subject in the loss.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Behind {
+    /// Black, white, grey and noise in turn: the loss sees alpha.
+    Changing,
+    /// For pictures without alpha: always this colour.
+    Fixed([f32; 3]),
+}
+
+/// Step sizes of one iteration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RatesNow {
+    pub position: f32,
+    pub opacity: f32,
+    pub rotation: f32,
+    pub scale: f32,
+    pub color: f32,
+    pub harmonics: f32,
 }
 
 impl Options {
@@ -149,20 +175,44 @@ impl Options {
     }
 
     pub(super) fn degree(&self, iteration: usize) -> usize {
-        (iteration / self.sh_degree_every.max(1)).min(3)
+        (self.first_degree + iteration / self.sh_degree_every.max(1)).min(3)
+    }
+
+    /// Whether density control is due when so many iterations are done.
+    pub(super) fn refines_after(&self, done: usize) -> bool {
+        let d = &self.density;
+        done > d.from && done < d.until && done.is_multiple_of(d.every.max(1))
+    }
+
+    pub(super) fn resets_after(&self, done: usize) -> bool {
+        let d = &self.density;
+        d.reset_every > 0 && done < d.until && done.is_multiple_of(d.reset_every)
+    }
+
+    /// The first number of iterations above `done` after which anything but iterations is due.
+    pub(super) fn next_event(&self, done: usize) -> usize {
+        (done + 1..self.iterations).find(|i| self.refines_after(*i) || self.resets_after(*i)).unwrap_or(self.iterations)
     }
 
     pub(super) fn lane_rates(&self, iteration: usize) -> LaneRates {
+        let r = self.rates_at(iteration);
+        LaneRates::new(r.position, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
+    }
+
+    pub(super) fn rates_at(&self, iteration: usize) -> RatesNow {
         let r = &self.rates;
         let t = iteration as f32 / self.iterations.max(1) as f32;
         let position = (r.position.ln() * (1.0 - t) + r.position_final.ln() * t).exp();
         let [opacity, rotation, scale, color, harmonics] =
             [r.opacity, r.rotation, r.scale, r.color, r.harmonics].map(|rate| rate * r.final_share.powf(t));
-        LaneRates::new(position * self.scene_extent, opacity, rotation, scale, color, harmonics)
+        RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics }
     }
 
-    /// Black, white, grey and noise in turn, in an order that the seed picks.
+    /// Where it changes: black, white, grey and noise in turn, in an order that the seed picks.
     pub(super) fn background(&self, iteration: usize) -> Background {
+        if let Behind::Fixed(color) = self.behind {
+            return Background::Flat(color);
+        }
         let h = hash(self.seed ^ hash(iteration as u64));
         match h % 4 {
             0 => Background::Flat([0.0; 3]),

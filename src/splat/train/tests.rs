@@ -57,7 +57,7 @@ fn training_raises_quality_also_where_it_was_not_trained() {
     held[20 * 48..24 * 48].fill(true);
     targets[0].held_back = Some(held);
     let options = gentle(160);
-    let trained = train(start, &targets, &options, &Silent).unwrap();
+    let trained = train(Engine::Cpu, start, &targets, &options, &Silent).unwrap();
     let r = &trained.report;
     assert_eq!(r.iterations, 160);
     for t in &r.targets[..4] {
@@ -78,7 +78,7 @@ fn a_wrong_pose_is_found_again() {
     targets[0].refine_pose = true;
     let mut options = gentle(150);
     options.rates.pose = 1e-3;
-    let trained = train(truth, &targets, &options, &Silent).unwrap();
+    let trained = train(Engine::Cpu, truth, &targets, &options, &Silent).unwrap();
     let apart = |c: &Camera| (c.position() - right.position()).length();
     assert!(apart(&trained.cameras[0]) < 0.6 * apart(&wrong), "{} {}", apart(&trained.cameras[0]), apart(&wrong));
     assert_eq!(trained.cameras[1], targets[1].camera);
@@ -92,7 +92,7 @@ fn same_seed_same_bytes_whatever_the_threads() {
     let run = |threads, seed| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let options = Options { seed, ..options };
-        pool.install(|| train(start.clone(), &targets, &options, &Silent).unwrap())
+        pool.install(|| train(Engine::Cpu, start.clone(), &targets, &options, &Silent).unwrap())
     };
     let (a, b, c, other) = (run(1, 7), run(2, 7), run(2, 7), run(2, 8));
     assert!(a.report.gaussians_after > a.report.gaussians_before);
@@ -108,14 +108,14 @@ fn held_back_pixels_are_never_looked_at() {
     let held: Vec<bool> = (0..48 * 48).map(|i| i % 48 > 24).collect();
     targets[0].held_back = Some(held.clone());
     let options = Options::scaled(20);
-    let a = train(start.clone(), &targets, &options, &Silent).unwrap();
+    let a = train(Engine::Cpu, start.clone(), &targets, &options, &Silent).unwrap();
     for (i, h) in held.iter().enumerate() {
         if *h {
             targets[0].color[i] = [1.0, 0.0, 0.3];
             targets[0].alpha[i] = 0.7;
         }
     }
-    let b = train(start, &targets, &options, &Silent).unwrap();
+    let b = train(Engine::Cpu, start, &targets, &options, &Silent).unwrap();
     assert_eq!(a.gaussians, b.gaussians);
 }
 
@@ -123,7 +123,7 @@ fn held_back_pixels_are_never_looked_at() {
 fn deadline_interrupt_and_wrong_sizes() {
     let (mut targets, start) = problem();
     let options = Options { deadline: Some(Instant::now() - Duration::from_millis(1)), ..Options::scaled(50) };
-    let late = train(start.clone(), &targets, &options, &Silent).unwrap();
+    let late = train(Engine::Cpu, start.clone(), &targets, &options, &Silent).unwrap();
     assert!(late.report.stopped_by_deadline && late.report.iterations == 0);
     assert_eq!(late.gaussians, start);
 
@@ -135,10 +135,10 @@ fn deadline_interrupt_and_wrong_sizes() {
             true
         }
     }
-    let stopped = train(start.clone(), &targets, &Options::scaled(50), &Stop).unwrap_err();
+    let stopped = train(Engine::Cpu, start.clone(), &targets, &Options::scaled(50), &Stop).unwrap_err();
     assert_eq!(stopped.kind, crate::Kind::Cancelled);
     targets[2].alpha.pop();
-    let wrong = train(start, &targets, &Options::scaled(50), &Silent).unwrap_err();
+    let wrong = train(Engine::Cpu, start, &targets, &Options::scaled(50), &Silent).unwrap_err();
     assert!(wrong.to_string().contains("view 2") && wrong.to_string().contains("48 × 48"), "{wrong}");
 }
 
@@ -169,7 +169,7 @@ fn density_clones_splits_and_prunes() {
 #[test]
 fn more_time_allows_more_iterations() {
     let (targets, start) = problem();
-    assert_eq!(iterations_within(&start, &targets, 0.0, &Silent).unwrap(), 50);
-    let n = iterations_within(&start, &targets, 1e6, &Silent).unwrap();
+    assert_eq!(iterations_within(Engine::Cpu, &start, &targets, 0.0, &Silent).unwrap(), 50);
+    let n = iterations_within(Engine::Cpu, &start, &targets, 1e6, &Silent).unwrap();
     assert_eq!(n, 7000);
 }

@@ -92,6 +92,10 @@ impl Scene {
         (gpu.adapter.largest_binding / HARMONICS).min(u64::from(MOST_GROUPS) * 256) as u32
     }
 
+    pub(in crate::splat) fn part(&self) -> u32 {
+        self.part
+    }
+
     pub fn len(&self) -> usize {
         self.count as usize
     }
@@ -100,7 +104,7 @@ impl Scene {
     }
 
     /// How many bindings the projected Gaussians need.
-    pub(super) fn parts(&self) -> usize {
+    pub(in crate::splat) fn parts(&self) -> usize {
         (self.count.max(1)).div_ceil(self.part) as usize
     }
 }

@@ -76,11 +76,21 @@ pub struct Step {
 }
 
 impl Step {
-    pub fn record(&self, pass: &mut ComputePass) {
+    fn bind(&self, pass: &mut ComputePass) {
         pass.set_pipeline(&self.kernel);
         for (i, g) in self.groups.iter().enumerate() {
             pass.set_bind_group(i as u32, g, &[]);
         }
+    }
+
+    /// With so many workgroups instead of its own number.
+    pub fn record_sized(&self, pass: &mut ComputePass, groups: (u32, u32)) {
+        self.bind(pass);
+        pass.dispatch_workgroups(groups.0, groups.1, 1);
+    }
+
+    pub fn record(&self, pass: &mut ComputePass) {
+        self.bind(pass);
         match &self.size {
             Size::Direct(x, y) => pass.dispatch_workgroups(*x, *y, 1),
             Size::Indirect(buffer, offset) => pass.dispatch_workgroups_indirect(buffer, *offset),

@@ -12,6 +12,8 @@ pub(in crate::splat) mod plan;
 pub(in crate::splat) mod sort;
 
 pub use buffers::Scene;
+pub(in crate::splat) use buffers::{MOST_GROUPS, PARTS};
+pub(in crate::splat) use plan::SCAN_BLOCK;
 pub use device::{Abilities, Adapter, Gpu, adapters};
 pub use forward::{Renderer, STAGES, Timing};
 pub use sort::sort_pairs;

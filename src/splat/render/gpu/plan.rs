@@ -49,6 +49,16 @@ impl View {
     }
 }
 
+impl View {
+    /// The camera `c` where this one stands.
+    pub fn moved(&self, c: &Camera) -> Camera {
+        let row = |i: usize| glam::Vec3::from_slice(&self.rows[i][..3]);
+        let rotation = glam::Mat3::from_cols(row(0), row(1), row(2)).transpose();
+        let translation = glam::Vec3::from_array(std::array::from_fn(|i| self.rows[i][3]));
+        Camera { rotation, translation, ..*c }
+    }
+}
+
 macro_rules! sources {
     ($($name:literal),*) => { concat!($(include_str!(concat!("../../../../shaders/", $name, ".wgsl"))),*) };
 }
@@ -83,7 +93,7 @@ impl Kernels {
             project: compile(
                 gpu,
                 "project",
-                sources!("view", "chunk", "geometry", "tiles", "harmonics", "project"),
+                sources!("view", "chunk", "rotation", "geometry", "tiles", "harmonics", "project"),
                 &[],
             ),
             plan: compile(gpu, "plan", sources!("view", "blocks", "plan"), &[]),
@@ -323,6 +333,11 @@ impl Plan {
             ends,
             raster,
         }
+    }
+
+    /// Records the last stage for a picture of so many tiles, at most the shape's.
+    pub fn record_raster(&self, pass: &mut wgpu::ComputePass, tiles: (u32, u32)) {
+        self.raster.record_sized(pass, tiles);
     }
 
     /// Records stage `stage` of [`super::STAGES`].

@@ -1,0 +1,239 @@
+//! `orb bench train`: iterations a second, and what they reach.
+
+use std::path::PathBuf;
+
+use glam::{Quat, Vec3};
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use super::{nerf, scene};
+use crate::cli::device::Device;
+use crate::cli::{cameras, render};
+use crate::progress::Progress;
+use crate::splat::train::Behind;
+use crate::splat::{self, Camera, Engine, Gaussians, Options, SH_COEFFICIENTS, Target};
+use crate::{Error, Result};
+
+/// Measure training speed: on pictures with poses, or on pictures that are drawn of a splat.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Train {
+    /// NeRF's list of pictures; without one, pictures of a splat.
+    pub transforms: Option<PathBuf>,
+    /// Points to start from (PLY), with a list.
+    #[arg(long, value_name = "POINTS.ply", requires = "transforms")]
+    pub start: Option<PathBuf>,
+    /// With a list: every so-many-th picture is measured, not trained on.
+    #[arg(long, default_value_t = 6, value_name = "N")]
+    pub hold_out: usize,
+    /// The splat (PLY); without one, a made one of 300,000 Gaussians.
+    #[arg(long, value_name = "SCENE.ply", conflicts_with = "transforms")]
+    pub scene: Option<PathBuf>,
+    /// Its cameras (JSON), of which --views are taken, evenly.
+    #[arg(long, value_name = "CAMERAS.json", conflicts_with = "transforms")]
+    pub camera: Option<PathBuf>,
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub views: u32,
+    /// Pixels across a drawn picture.
+    #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    pub size: u32,
+    /// Gaussians to start from: that many of the splat's places, disturbed.
+    #[arg(long, default_value_t = 20_000)]
+    pub gaussians: u32,
+    #[arg(long, default_value_t = 7000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub iterations: u32,
+    /// Most Gaussians.
+    #[arg(long)]
+    pub most: Option<usize>,
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// One JSON object instead of lines.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Trains and measures; what is to be printed on stdout. `say` gets one line on the device.
+///
+/// Errors: usage for files that cannot be read; environment from the GPU.
+pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> Result<String> {
+    let gpu = args.device.open(say)?;
+    let (targets, start, mut options) = match &args.transforms {
+        Some(list) => pictures(args, list)?,
+        None => drawn(args)?,
+    };
+    options.seed = args.seed;
+    if let Some(most) = args.most {
+        options.density.max_gaussians = most;
+    }
+    let engine = gpu.as_ref().map_or(Engine::Cpu, Engine::Gpu);
+    let trained = splat::train(engine, start, &targets, &options, progress)?;
+    let r = &trained.report;
+    let mean = |held: bool| {
+        let of: Vec<f32> =
+            r.targets.iter().zip(&targets).filter(|(_, t)| (t.weight == 0.0) == held).map(|(r, _)| r.after.picture).collect();
+        (!of.is_empty()).then(|| of.iter().sum::<f32>() / of.len() as f32)
+    };
+    let speed = r.iterations as f64 / r.seconds.train.max(1e-9);
+    let device = gpu.as_ref().map_or("CPU".to_owned(), |g| format!("{} ({})", g.adapter.name, g.adapter.backend));
+    let result = json!({
+        "device": device, "iterations": r.iterations, "train_s": r.seconds.train, "setup_s": r.seconds.setup,
+        "density_s": r.seconds.density, "iterations_per_s": speed,
+        "gaussians_start": r.gaussians_before, "gaussians_end": r.gaussians_after,
+        "train_psnr_db": mean(false), "held_out_psnr_db": mean(true), "gpu_peak_mib": r.peak_bytes >> 20,
+        "sha256": hash(&trained.gaussians),
+    });
+    if args.json {
+        return Ok(format!("{result}\n"));
+    }
+    let db = |v: Option<f32>| v.map_or("–".to_owned(), |v| format!("{v:.2} dB"));
+    Ok(format!(
+        "device      {device}\ntraining    {} iterations in {:.2} s, {speed:.1} a second; {:.2} s before the first\n\
+         Gaussians   {} → {}\nPSNR        {} on the {} pictures trained on, {} on those held out\n\
+         GPU memory  {} MiB\nresult      SHA-256 {}\n",
+        r.iterations,
+        r.seconds.train,
+        r.seconds.setup,
+        r.gaussians_before,
+        r.gaussians_after,
+        db(mean(false)),
+        targets.iter().filter(|t| t.weight > 0.0).count(),
+        db(mean(true)),
+        r.peak_bytes >> 20,
+        hash(&trained.gaussians),
+    ))
+}
+
+/// Of all parameters' bytes: equal only for equal results.
+fn hash(g: &Gaussians) -> String {
+    let mut h = Sha256::new();
+    g.positions.iter().chain(&g.log_scales).for_each(|v| h.update(bytemuck::bytes_of(&v.to_array())));
+    h.update(bytemuck::cast_slice(&g.rotations));
+    h.update(bytemuck::cast_slice(&g.logit_opacities));
+    g.sh.iter().for_each(|s| h.update(bytemuck::cast_slice(s)));
+    hex::encode(h.finalize())
+}
+
+fn pictures(args: &Train, list: &std::path::Path) -> Result<(Vec<Target>, Gaussians, Options)> {
+    let (mut targets, alpha) = nerf::targets(list)?;
+    if args.hold_out > 0 {
+        targets.iter_mut().step_by(args.hold_out).for_each(|t| t.weight = 0.0);
+    }
+    let points = match &args.start {
+        Some(path) => nerf::points(path)?,
+        None => {
+            return Err(Error::usage("--start").expected("points to start from").found("none"));
+        }
+    };
+    let middle = targets.iter().map(|t| t.camera.position()).sum::<Vec3>() / targets.len() as f32;
+    let far = targets.iter().map(|t| t.camera.position().distance(middle)).fold(0.0, f32::max);
+    let mut options = Options { scene_extent: 1.1 * far, ..Options::scaled(args.iterations as usize) };
+    if !alpha {
+        options.behind = Behind::Fixed([0.0; 3]);
+    }
+    Ok((targets, nerf::gaussians(points), options))
+}
+
+/// Pictures of a splat over black, and Gaussians at some of its places, disturbed: the paper's small case.
+fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
+    let truth = match &args.scene {
+        Some(path) => render::load(path)?,
+        None => scene::gaussians(300_000),
+    };
+    let listed: Vec<Camera> = match &args.camera {
+        Some(path) => {
+            let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
+            cameras::parse(path, &bytes)?.into_iter().map(|c| c.1).collect()
+        }
+        None if args.scene.is_some() => cameras::turntable(&truth, 24, 1080).into_iter().map(|c| c.1).collect(),
+        None => scene::cameras(),
+    };
+    let views = args.views as usize;
+    if listed.is_empty() {
+        return Err(Error::usage("--camera").expected("at least one camera").found("none"));
+    }
+    let half = args.size as f32 / 2.0;
+    let focal = half / 25f32.to_radians().tan();
+    let targets = (0..views)
+        .map(|i| {
+            let from = listed[i * listed.len() / views];
+            let camera = Camera { width: args.size, height: args.size, fx: focal, fy: focal, cx: half, cy: half, ..from };
+            let frame = splat::render(&truth, &camera, [0.0; 3]);
+            Target {
+                camera,
+                alpha: vec![1.0; frame.color.len()],
+                color: frame.color,
+                weight: 1.0,
+                refine_pose: false,
+                held_back: None,
+                name: format!("view {i}"),
+            }
+        })
+        .collect();
+    let mut r = scene::Random::new(args.seed);
+    let n = (args.gaussians as usize).min(truth.len());
+    // A seeded shuffle's first n.
+    let mut order: Vec<usize> = (0..truth.len()).collect();
+    for i in 0..n {
+        let other = i + (r.bits() % (truth.len() - i) as u64) as usize;
+        order.swap(i, other);
+    }
+    let mut vector = |deviation: f32| Vec3::from_array(std::array::from_fn(|_| r.normal(0.0, deviation)));
+    let positions = order[..n].iter().map(|i| truth.positions[*i] + vector(0.02)).collect();
+    let rotations = (0..n)
+        .map(|_| {
+            let q = Quat::from_scaled_axis(vector(1.5));
+            [q.w, q.x, q.y, q.z]
+        })
+        .collect();
+    let start = Gaussians {
+        positions,
+        log_scales: vec![Vec3::splat(0.05f32.ln()); n],
+        rotations,
+        logit_opacities: vec![-2.2; n],
+        sh: vec![[[0.0; 3]; SH_COEFFICIENTS]; n],
+    };
+    let options = Options {
+        iterations: args.iterations as usize,
+        scene_extent: 5.0,
+        behind: Behind::Fixed([0.0; 3]),
+        ..Options::default()
+    };
+    Ok((targets, start, options))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::Value;
+
+    use crate::progress::Silent;
+
+    #[test]
+    fn trains_and_says_what_it_reached() {
+        let folder = tempfile::tempdir().unwrap();
+        let args = Train {
+            transforms: None,
+            start: None,
+            hold_out: 6,
+            scene: None,
+            camera: None,
+            views: 2,
+            size: 32,
+            gaussians: 200,
+            iterations: 5,
+            most: Some(300),
+            seed: 3,
+            device: Device::Cpu,
+            json: true,
+        };
+        let one = |args: &Train| -> Value { serde_json::from_str(&run(args, &Silent, &mut |_| {}).unwrap()).unwrap() };
+        let a = one(&args);
+        assert_eq!((&a["iterations"], &a["gaussians_start"]), (&json!(5), &json!(200)));
+        assert_eq!(a["sha256"], one(&args)["sha256"]);
+        assert_ne!(a["sha256"], one(&Train { seed: 4, ..args.clone() })["sha256"]);
+        let list = folder.path().join("none.json");
+        let e = run(&Train { transforms: Some(list), ..args }, &Silent, &mut |_| {}).unwrap_err();
+        assert!(e.to_string().contains("none.json"), "{e}");
+    }
+}

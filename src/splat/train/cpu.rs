@@ -1,0 +1,97 @@
+//! Training on the CPU.
+
+use std::time::Instant;
+
+use super::loss::{Loss, Wanted};
+use super::{Advanced, Checkpoint, Options, Seconds, Target, adam, density, random, schedule, update};
+use crate::Result;
+use crate::progress::Progress;
+use crate::splat::render::Raster;
+use crate::splat::render::projection::View;
+
+/// Trains from `at` up to iteration `until`.
+///
+/// Errors: the user's interrupt.
+pub fn advance(
+    at: Checkpoint,
+    targets: &[Target],
+    options: &Options,
+    until: usize,
+    progress: &dyn Progress,
+) -> Result<Advanced> {
+    let began = Instant::now();
+    let Checkpoint { iteration: first, mut gaussians, mut moments, mut statistics, mut cameras, mut poses } = at;
+    let mut raster = Raster::default();
+    let mut seconds = Seconds::default();
+    let mut clock = Instant::now();
+    let mut lap = move || {
+        let now = Instant::now();
+        (now - std::mem::replace(&mut clock, now)).as_secs_f64()
+    };
+    let wanted: Vec<Wanted> = targets
+        .iter()
+        .map(|t| {
+            Wanted::new(t.camera.width as usize, t.camera.height as usize, &t.color, &t.alpha, t.held_back.as_deref())
+        })
+        .collect();
+    let mut losses: Vec<((usize, usize), Loss)> = Vec::new();
+    for w in &wanted {
+        if losses.iter().all(|(size, _)| *size != (w.width, w.height)) {
+            losses.push(((w.width, w.height), Loss::new(w.width, w.height)));
+        }
+    }
+    let corrections: Vec<[f32; 2]> = (0..=options.iterations as u32).map(|s| adam::corrections(s.max(1))).collect();
+    let mut turns = schedule::Turns::new(targets.iter().map(|t| t.weight));
+    for _ in 0..first {
+        turns.next();
+    }
+    seconds.setup = began.elapsed().as_secs_f64();
+
+    let mut stopped_by_deadline = false;
+    let mut done = first;
+    for iteration in first..until {
+        progress.check()?;
+        if options.deadline.is_some_and(|d| Instant::now() >= d) {
+            stopped_by_deadline = true;
+            break;
+        }
+        let Some(turn) = turns.next() else { break };
+        let (target, wanted) = (&targets[turn], &wanted[turn]);
+        let Some((_, loss)) = losses.iter_mut().find(|(size, _)| *size == (wanted.width, wanted.height)) else { break };
+        let view = View::new(&cameras[turn]);
+        let degree = options.degree(iteration);
+        lap();
+        raster.bins.build(&gaussians, &view, degree);
+        seconds.project += lap();
+        raster.forward(&view, None);
+        seconds.forward += lap();
+        let starts = &raster.bins.starts;
+        let drawn = |t: usize| starts[t] < starts[t + 1];
+        loss.evaluate(&raster.tiles, drawn, wanted, options.background(iteration), options.lambda_dssim, 1.0);
+        seconds.loss += lap();
+        raster.backward(&loss.tiles);
+        seconds.backward += lap();
+        let rates = options.lane_rates(iteration);
+        let pose_gradient =
+            update::update(&raster, &view, degree, &rates, &corrections, &mut gaussians, &mut moments, &mut statistics);
+        if target.refine_pose && iteration >= options.pose_from {
+            let distance = cameras[turn].translation.length();
+            poses[turn].step(&mut cameras[turn], pose_gradient, options.rates.pose, distance);
+        }
+        seconds.update += lap();
+        done = iteration + 1;
+        if options.refines_after(done) {
+            let mut random = random::Random::new(options.seed ^ random::hash(done as u64));
+            let d = &options.density;
+            density::refine(&mut gaussians, &mut moments, &mut statistics, d, options.scene_extent, &mut random);
+        }
+        if options.resets_after(done) {
+            density::reset_opacity(&mut gaussians, &mut moments, options.density.prune_opacity);
+        }
+        seconds.density += lap();
+        progress.step(done as u64);
+    }
+    seconds.train = began.elapsed().as_secs_f64() - seconds.setup;
+    let checkpoint = Checkpoint { iteration: done, gaussians, moments, statistics, cameras, poses };
+    Ok(Advanced { checkpoint, stopped_by_deadline, seconds, peak_bytes: 0 })
+}

@@ -1,0 +1,127 @@
+//! The kernels of training, compiled.
+
+use wgpu::ComputePipeline;
+
+use crate::splat::render::gpu::Gpu;
+use crate::splat::render::gpu::sort::Radix;
+use crate::splat::render::gpu::kernel::compile;
+
+macro_rules! sources {
+    ($($name:literal),*) => { concat!($(include_str!(concat!("../../../../shaders/", $name, ".wgsl"))),*) };
+}
+
+pub struct Kernels {
+    pub radix: Radix,
+    pub begin: ComputePipeline,
+    pub ssim: ComputePipeline,
+    pub loss_gradient: ComputePipeline,
+    pub raster_backward: ComputePipeline,
+    pub update: ComputePipeline,
+    pub gradient: ComputePipeline,
+    pub end: ComputePipeline,
+    pub refine_mark: ComputePipeline,
+    pub refine_plan: ComputePipeline,
+    pub refine_choose: ComputePipeline,
+    pub refine_count: ComputePipeline,
+    pub scan_blocks: ComputePipeline,
+    pub refine_place: ComputePipeline,
+    pub gather: ComputePipeline,
+    pub refine_split: ComputePipeline,
+    pub opacity_reset: ComputePipeline,
+}
+
+/// How the rasteriser's way back is cut: pixels a thread, or None where only the kernel without subgroups will do.
+fn pixels_a_thread(gpu: &Gpu, wanted: u32) -> Option<u32> {
+    let lanes = gpu.abilities.lanes;
+    let memory = |pixels: u32| {
+        let groups = 256 / pixels / lanes;
+        // Sums of nine and a list for 32 splats a subgroup, the splats, the rest.
+        groups * (32 * 10 + 1) * 4 + 32 * 52 + 16
+    };
+    let mut pixels = wanted.clamp(1, 256 / lanes.max(1));
+    while gpu.abilities.subgroups && pixels * lanes <= 256 {
+        if memory(pixels) <= gpu.adapter.workgroup_memory {
+            return Some(pixels);
+        }
+        pixels *= 2;
+    }
+    None
+}
+
+impl Kernels {
+    /// `parts`, `part`: how the projected Gaussians are split over bindings. `pixels`: pixels a thread on the
+    /// rasteriser's way back, where there are subgroups; 0 does without subgroups.
+    pub fn new(gpu: &Gpu, parts: usize, part: u32, pixels: u32) -> Kernels {
+        let split = [("PARTS", parts as f64), ("PART", f64::from(part))];
+        let raster_backward = match pixels_a_thread(gpu, pixels).filter(|_| pixels > 0) {
+            Some(pixels) => {
+                let lanes = gpu.abilities.lanes;
+                let threads = 256 / pixels;
+                let groups = threads / lanes;
+                let head = format!(
+                    "const PIXELS: u32 = {pixels}u;\nconst THREADS: u32 = {threads}u;\nconst GROUPS: u32 = {groups}u;\n\
+                     const LANES: u32 = {lanes}u;\n"
+                );
+                let source = sources!("view", "splats", "pixels", "records", "pull", "raster_backward_subgroup");
+                compile(gpu, "raster_backward_subgroup", &(head + source), &split)
+            }
+            None => {
+                let source = sources!("view", "splats", "records", "pull", "raster_backward_shared");
+                compile(gpu, "raster_backward_shared", source, &split)
+            }
+        };
+        let plain = |label: &str, source: &str| compile(gpu, label, source, &[]);
+        Kernels {
+            radix: Radix::new(gpu),
+            begin: plain("begin", sources!("view", "training", "chunk", "begin")),
+            ssim: plain("ssim", sources!("view", "training", "hash", "backdrop", "window", "ssim")),
+            loss_gradient: plain("loss_gradient", sources!("view", "training", "hash", "backdrop", "window", "loss_gradient")),
+            raster_backward,
+            update: plain(
+                "update",
+                sources!(
+                    "view",
+                    "training",
+                    "chunk",
+                    "rotation",
+                    "geometry",
+                    "harmonics",
+                    "records",
+                    "project_backward",
+                    "collect",
+                    "pose_sum",
+                    "update"
+                ),
+            ),
+            gradient: plain(
+                "gradient",
+                sources!(
+                    "view",
+                    "training",
+                    "chunk",
+                    "rotation",
+                    "geometry",
+                    "harmonics",
+                    "records",
+                    "project_backward",
+                    "collect",
+                    "pose_sum",
+                    "gradient"
+                ),
+            ),
+            end: plain("end", sources!("view", "training", "end")),
+            refine_mark: plain("refine_mark", sources!("view", "refine", "refine_mark")),
+            refine_plan: plain("refine_plan", sources!("blocks", "refine", "refine_plan")),
+            refine_choose: plain("refine_choose", sources!("refine", "refine_choose")),
+            refine_count: plain("refine_count", sources!("blocks", "refine", "refine_items", "refine_count")),
+            scan_blocks: plain("scan_blocks", sources!("blocks", "scan_blocks")),
+            refine_place: plain("refine_place", sources!("blocks", "refine", "refine_items", "refine_place")),
+            gather: plain("gather", sources!("gather")),
+            refine_split: plain(
+                "refine_split",
+                sources!("refine", "rotation", "hash", "refine_split"),
+            ),
+            opacity_reset: plain("opacity_reset", sources!("refine", "opacity_reset")),
+        }
+    }
+}

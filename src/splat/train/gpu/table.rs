@@ -1,0 +1,52 @@
+//! The whole schedule as the kernels read it: shaders/training.wgsl.
+
+use crate::splat::train::Options;
+use crate::splat::train::loss::Background;
+use crate::splat::train::schedule::Turns;
+use crate::splat::train::{Target, adam};
+
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct Step {
+    pub rates: [f32; 4],
+    pub more_rates: [f32; 4],
+    pub background: [f32; 4],
+    pub loss: [f32; 4],
+    pub words: [u32; 4],
+    pub more_words: [u32; 4],
+}
+
+pub fn halves(v: u64) -> [u32; 2] {
+    [v as u32, (v >> 32) as u32]
+}
+
+/// One step an iteration, until no target has a turn.
+pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
+    let mut turns = Turns::new(targets.iter().map(|t| t.weight));
+    (0..options.iterations)
+        .map_while(|iteration| {
+            let turn = turns.next()?;
+            let (target, r) = (&targets[turn], options.rates_at(iteration));
+            let pose = if target.refine_pose && iteration >= options.pose_from { options.rates.pose } else { 0.0 };
+            let (background, seed) = match options.background(iteration) {
+                Background::Flat([r, g, b]) => ([r, g, b, 0.0], [0, 0]),
+                Background::Noise(seed) => ([0.0, 0.0, 0.0, 1.0], halves(seed)),
+            };
+            let share = 1.0 / (3 * target.camera.width * target.camera.height) as f32;
+            let lambda = options.lambda_dssim;
+            Some(Step {
+                rates: [r.position, r.opacity, r.rotation, r.scale],
+                more_rates: [r.color, r.harmonics, pose, 0.0],
+                background,
+                loss: [(1.0 - lambda) * share, -lambda * share, 0.0, 0.0],
+                words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
+                more_words: [0; 4],
+            })
+        })
+        .collect()
+}
+
+/// c₁ and c₂ of Adam by the step, up to the last.
+pub fn corrections(iterations: usize) -> Vec<[f32; 2]> {
+    (0..=iterations as u32).map(|s| adam::corrections(s.max(1))).collect()
+}
