@@ -74,9 +74,8 @@ fn published() -> &'static Path {
     DONE.get_or_init(|| {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
-        let done = geo(&samples().join("smart_car.jpg"), &["--format", "cdb,flt", "-o", out.to_str().unwrap()])
-            .output()
-            .unwrap();
+        let more = ["--format", "cdb,flt", "--stages", "-o", out.to_str().unwrap()];
+        let done = geo(&samples().join("smart_car.jpg"), &more).output().unwrap();
         assert!(done.status.success(), "{}", text(&done));
         dir
     })
@@ -96,6 +95,27 @@ fn publishes_verifies_and_leaves_no_staging() {
     }
     let verified = orb(&["audit", "verify"]).arg(&out).output().unwrap();
     assert!(verified.status.success(), "{}", text(&verified));
+}
+
+#[test]
+fn stages_hand_over_the_mask_and_the_networks_gaussians() {
+    let out = published().join("out");
+    let mask = image::open(out.join("mask.png")).unwrap().into_luma8();
+    let truth = image::open(samples().join("truth/smart_car/mask.png")).unwrap().into_rgba8();
+    assert_eq!(mask.dimensions(), truth.dimensions());
+    let pixels = mask.pixels().zip(truth.pixels()).map(|(a, b)| (a.0[0] > 127, b.0[3] > 127));
+    let (both, any) = pixels.fold((0, 0), |(n, u), (a, b)| (n + u32::from(a && b), u + u32::from(a || b)));
+    assert!(f64::from(both) > 0.9 * f64::from(any), "{both} of {any}");
+    let read = |name: &str| orb_formats::ply::read(&std::fs::read(out.join(name)).unwrap()).unwrap();
+    let ((before, comments), (after, after_comments)) = (read("network.ply"), read("scene.ply"));
+    assert_eq!(comments, after_comments, "one frame for both");
+    assert!(comments.iter().any(|c| c.starts_with("unit frame: centre ")), "{comments:?}");
+    let middle = |s: &orb_formats::ply::Splats| {
+        let n = s.positions.len() as f64;
+        [0, 1, 2].map(|k| s.positions.iter().map(|p| f64::from(p[k])).sum::<f64>() / n)
+    };
+    let (a, b) = (middle(&before), middle(&after));
+    assert!((0..3).all(|k| (a[k] - b[k]).abs() < 0.3), "{a:?} {b:?} metres");
 }
 
 #[test]

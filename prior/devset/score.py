@@ -1,6 +1,6 @@
 """Score the whole `orb geo` job, and the network alone inside it, against truth.
 
-    python score.py ORB SET_DIR OUT_DIR [NAME ...] [--iterations 900] [--true-mask] [--sheet sheet.png]
+    python score.py ORB SET_DIR OUT_DIR [NAME ...] [--photo plain] [--iterations 900] [--true-mask] [--sheet sheet.png]
 
 SET_DIR/<name>/ holds cameras.json as ../evaluate.py reads it, the photos, mask.png, mesh.glb and the truth views of group
 "gt" that it lists. Every photo goes through `orb geo --stages --height <true height>`; `orb render` draws the network's
@@ -13,7 +13,7 @@ stand the answer into the truth's frame, all with the photo's true azimuth:
   aligned      the scale and shift that the silhouettes of all views fit best: what remains is shape and colour.
 
 Per row: mask IoU, elevation error (degrees), silhouette IoU, PSNR (dB) over all views / those within 60 degrees of the
-photo / the others, and PSNR of the colours alone (pixels that both cover). --true-mask adds rows for the network with
+photo / the others, PSNR of the colours alone (pixels that both cover), and the answer's size beside the aligned one's. --true-mask adds rows for the network with
 the true mask in place of its own, which tells what the mask costs. Writes OUT_DIR/scores.json.
 """
 
@@ -160,14 +160,13 @@ def score_splats(orb, ply, truth, folder):
     white, alpha = draw(orb, ply, truth, places, folder)
     scores = {key: view_scores(truth, white[i], alpha[i]) for i, key in enumerate(places)}
     normalised = white[0]
-    best, place, own = None, places["normalised"], alpha[0]
-    for _ in range(2):
-        place = better_place(truth, place, own)
-        (w,), (own,) = draw(orb, ply, truth, {"aligned": place}, folder)
-        found = view_scores(truth, w, own)
-        if best is None or found["psnr"] > best["psnr"]:
-            best = found
-    scores["aligned"] = best
+    place = better_place(truth, places["normalised"], alpha[0])
+    (w,), (own,) = draw(orb, ply, truth, {"aligned": place}, folder)
+    place = better_place(truth, place, own)
+    (w,), (own,) = draw(orb, ply, truth, {"aligned": place}, folder)
+    scores["aligned"] = view_scores(truth, w, own)
+    for key, (scale, _) in (places | {"aligned": place}).items():
+        scores[key]["size"] = scale / place[0]
     return scores, normalised
 
 
@@ -197,7 +196,8 @@ def score_photo(orb, truth, view, iterations, out, true_mask):
     mask = coverage(target / "mask.png", 512)
     common = {"mask_iou": iou(mask, truth.mask), "elevation_error_deg": abs(elevation - view["elevation_deg"])}
     rows, pictures = [], {}
-    for stage, file in (("network", "network.ply"), ("optimised", "scene.ply")):
+    stages = [("network", "network.ply")] + ([("optimised", "scene.ply")] if iterations else [])
+    for stage, file in stages:
         scores, pictures[stage] = score_splats(orb, target / file, truth, out / "views")
         rows += [{"stage": stage, "placement": p} | common | s for p, s in scores.items()]
     if true_mask:
@@ -220,7 +220,7 @@ def sheet_rows(truth, photo, mask, pictures):
     edge = (mask > 0.5).astype(float)[..., None]
     over = photo * (0.25 + 0.75 * edge) + np.array([0.75, 0, 0]) * (1 - edge) * 0.6
     first = [photo] + [truth.colour[i] for i in shown]
-    second = [over.clip(0, 1)] + [pictures["optimised"][i] for i in shown]
+    second = [over.clip(0, 1)] + [pictures.get("optimised", pictures["network"])[i] for i in shown]
     third = [np.stack([truth.mask] * 3, -1)] + [pictures["network"][i] for i in shown]
     tile = lambda a: Image.fromarray((a * 255 + 0.5).astype(np.uint8)).resize((128, 128), Image.BOX)
     return [[tile(a) for a in row] for row in (first, second, third)]
@@ -228,7 +228,7 @@ def sheet_rows(truth, photo, mask, pictures):
 
 def table(rows):
     """Means over objects, one line for each photo, stage and placement."""
-    keys = ["mask_iou", "elevation_error_deg", "iou", "psnr", "psnr_near", "psnr_back", "psnr_colour"]
+    keys = ["mask_iou", "elevation_error_deg", "iou", "psnr", "psnr_near", "psnr_back", "psnr_colour", "size"]
     lines = ["| photo | stage | placement | n | " + " | ".join(keys) + " |", "|---" * (4 + len(keys)) + "|"]
     groups = {}
     for r in rows:
@@ -245,18 +245,21 @@ def main():
     parser.add_argument("set", type=Path)
     parser.add_argument("out", type=Path)
     parser.add_argument("names", nargs="*")
-    parser.add_argument("--iterations", type=int, default=900, help="of the optimisation; fixed, whatever the machine")
+    parser.add_argument("--iterations", type=int, default=900, help="of the optimisation, whatever the machine; 0: network alone")
+    parser.add_argument("--photo", help="only the photos of this name: plain or outdoor")
     parser.add_argument("--true-mask", action="store_true")
     parser.add_argument("--sheet", type=Path)
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
     os.environ.setdefault("ORB_DATA_DIR", str(args.out / "orb-data"))
-    rows, tiles, failed = [], [], []
+    rows, tiles, labels, failed = [], [], [], []
     for path in sorted(args.set.glob("*/cameras.json")):
         if args.names and path.parent.name not in args.names:
             continue
         truth = Truth(path.parent)
         for view in truth.photos:
+            if args.photo not in (None, view["name"]):
+                continue
             try:
                 found, shown = score_photo(args.orb, truth, view, args.iterations, args.out, args.true_mask)
             except RuntimeError as e:
@@ -265,6 +268,7 @@ def main():
                 continue
             rows += found
             tiles += sheet_rows(truth, *shown)
+            labels.append(f"{truth.name} {view['name']} {found[0]['mask_iou']:.2f}")
             for r in found:
                 numbers = {k: round(v, 3) for k, v in r.items() if isinstance(v, float)}
                 print(r["object"], r["photo"], r["stage"], r["placement"], numbers, flush=True)
@@ -280,6 +284,7 @@ def main():
         pen = ImageDraw.Draw(sheet)
         for j in range(0, len(tiles), 3):
             pen.line([(0, j * 128), (sheet.width, j * 128)], fill="black", width=2)
+            pen.text((4, j * 128 + 4), labels[j // 3], fill="black")
         sheet.save(args.sheet)
 
 
