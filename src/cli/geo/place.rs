@@ -88,12 +88,16 @@ impl Wanted {
         })
     }
 
-    /// What can be known before the work: that there is a place.
+    /// What can be known before the work: that there is a place, and that the terrain reaches it.
     ///
     /// # Errors
-    /// No origin and a photo without a position; a position without a height.
-    pub fn check(&self, exif: &Exif) -> Result<()> {
-        self.anchor(exif).map(drop)
+    /// No origin and a photo without a position; a position without a height, or beside the terrain.
+    pub fn check(&mut self, exif: &Exif) -> Result<()> {
+        let anchor = self.anchor(exif)?;
+        match &mut self.terrain {
+            Some(t) => t.dem.ground(anchor.latitude, anchor.longitude).map(drop),
+            None => Ok(()),
+        }
     }
 }
 

@@ -23,8 +23,8 @@ pub enum Tool {
 #[derive(Args, Clone, Debug)]
 pub struct Convert {
     /// Decimal degrees, degrees-minutes-seconds, MGRS, UTM, `EPSG:code x,y[,z]` or a geo: URI, with or without a height.
-    #[arg(value_name = "POINT", required = true, num_args = 1.., allow_hyphen_values = true)]
-    point: Vec<String>,
+    #[arg(value_name = "POINT", allow_hyphen_values = true)]
+    point: String,
     /// What the height is above.
     #[arg(long, value_enum, default_value = "ellipsoid")]
     alt_datum: Datum,
@@ -85,8 +85,7 @@ pub fn run(tool: &Tool, year: f64) -> Result<String> {
 }
 
 fn convert(c: &Convert, year: f64) -> Result<String> {
-    // A point that the shell took apart at its spaces is put together again.
-    let written = geo::parse_point("POINT", &c.point.join(" "))?;
+    let written = geo::parse_point("POINT", &c.point)?;
     let datum = match (written.height_datum, c.alt_datum) {
         (Some(own), _) => own,
         (None, Datum::Ellipsoid) => AltDatum::Ellipsoid,
@@ -235,7 +234,7 @@ mod tests {
     use super::*;
 
     fn convert_one(point: &str, to: Form) -> String {
-        let c = Convert { point: vec![point.into()], alt_datum: Datum::Ellipsoid, to: Some(to), json: false };
+        let c = Convert { point: point.into(), alt_datum: Datum::Ellipsoid, to: Some(to), json: false };
         convert(&c, 2026.0).unwrap().trim().to_owned()
     }
 
