@@ -64,7 +64,7 @@ fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress
         targets.push(target(camera, &view.colour, &view.alpha.data, format!("view {}", i + 1)));
     }
     let options = splat::Options { seed, ..splat::Options::scaled(FITTING) };
-    Ok(splat::train(start, &targets, &options, progress)?.gaussians.pruned(0.02))
+    Ok(splat::train(splat::Engine::Cpu, start, &targets, &options, progress)?.gaussians.pruned(0.02))
 }
 
 #[cfg(test)]

@@ -101,7 +101,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         texture: 1024,
         symmetry: Use::from(args.symmetry),
     };
-    let done = pipeline::reconstruct(&photo, &Rten, &Sources::default(), &settings, progress)?;
+    let done = pipeline::reconstruct(&photo, &Rten, &Sources::default(), splat::Engine::Cpu, &settings, progress)?;
     let finest = &done.model.levels[0];
     let own = Surface { positions: finest.mesh.positions.clone(), triangles: finest.mesh.triangles.clone() };
     let shape = Shape::of_surface(&own);

@@ -138,7 +138,8 @@ fn on_gpu(
     let target = renderer.render(&uploaded, &views[0], [0.0; 3])?.color;
     drop(uploaded);
     let same_size = views.iter().all(|v| (v.width, v.height) == (views[0].width, views[0].height));
-    let back = if same_size { forward_backward(gpu, g, views, &target, pictures.div_ceil(views.len())).ok() } else { None };
+    let back =
+        if same_size { forward_backward(gpu, g, views, &target, pictures.div_ceil(views.len())).ok() } else { None };
     let back = back.map(|b| {
         let stages: serde_json::Map<String, Value> = measure::stages()
             .zip(b.stages.iter().flatten())

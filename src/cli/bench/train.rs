@@ -70,8 +70,13 @@ pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
     let trained = splat::train(engine, start, &targets, &options, progress)?;
     let r = &trained.report;
     let mean = |held: bool| {
-        let of: Vec<f32> =
-            r.targets.iter().zip(&targets).filter(|(_, t)| (t.weight == 0.0) == held).map(|(r, _)| r.after.picture).collect();
+        let of: Vec<f32> = r
+            .targets
+            .iter()
+            .zip(&targets)
+            .filter(|(_, t)| (t.weight == 0.0) == held)
+            .map(|(r, _)| r.after.picture)
+            .collect();
         (!of.is_empty()).then(|| of.iter().sum::<f32>() / of.len() as f32)
     };
     let speed = r.iterations as f64 / r.seconds.train.max(1e-9);
@@ -157,7 +162,8 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
     let targets = (0..views)
         .map(|i| {
             let from = listed[i * listed.len() / views];
-            let camera = Camera { width: args.size, height: args.size, fx: focal, fy: focal, cx: half, cy: half, ..from };
+            let camera =
+                Camera { width: args.size, height: args.size, fx: focal, fy: focal, cx: half, cy: half, ..from };
             let frame = splat::render(&truth, &camera, [0.0; 3]);
             Target {
                 camera,

@@ -157,12 +157,7 @@ pub fn advance(
 ) -> Result<Advanced> {
     let until = until.min(options.iterations);
     if at.gaussians.len() == 0 {
-        return Ok(Advanced {
-            checkpoint: at,
-            stopped_by_deadline: false,
-            seconds: Seconds::default(),
-            peak_bytes: 0,
-        });
+        return Ok(Advanced { checkpoint: at, stopped_by_deadline: false, seconds: Seconds::default(), peak_bytes: 0 });
     }
     match engine {
         Engine::Cpu => cpu::advance(at, targets, options, until, progress),

@@ -13,7 +13,7 @@ pub(in crate::splat) mod sort;
 
 pub use buffers::Scene;
 pub(in crate::splat) use buffers::{MOST_GROUPS, PARTS};
-pub(in crate::splat) use plan::SCAN_BLOCK;
 pub use device::{Abilities, Adapter, Gpu, adapters};
 pub use forward::{Renderer, STAGES, Timing};
+pub(in crate::splat) use plan::SCAN_BLOCK;
 pub use sort::sort_pairs;

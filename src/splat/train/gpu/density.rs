@@ -89,7 +89,8 @@ fn refine(run: &mut Run, options: &Options) -> Result<()> {
     // Every Gaussian and, at most, each once more.
     let most = u64::from(n) + u64::from(numbers.most.min(n));
     let words = |label: &str, count: u64| gpu.buffer(label, 4 * count);
-    let [keys_a, keys_b, order_a, order_b, kinds] = ["keys", "keys", "order", "order", "kinds"].map(|l| words(l, n.into()));
+    let [keys_a, keys_b, order_a, order_b, kinds] =
+        ["keys", "keys", "order", "order", "kinds"].map(|l| words(l, n.into()));
     let [counts, items] = ["counts", "items"].map(|l| words(l, 8));
     let dispatches = words("dispatches", 12);
     let table = gpu.buffer("radix table", sort::table_bytes(n.into()));

@@ -155,7 +155,13 @@ impl Iteration {
         let begin = step(
             &kernels.begin,
             &[
-                &fixed.state, &fixed.steps, &fixed.cameras, &fixed.now, &plan.view, &chunk.place, &plan.counts,
+                &fixed.state,
+                &fixed.steps,
+                &fixed.cameras,
+                &fixed.now,
+                &plan.view,
+                &chunk.place,
+                &plan.counts,
                 &plan.ranges,
             ],
             Size::Direct(tiles.div_ceil(256) as u32, 1),
@@ -165,12 +171,20 @@ impl Iteration {
             &[&plan.view, &plan.ranges, gaussians, places, &plan.picture, &pulls, records],
             Size::Direct(1, 1),
         );
-        let all: Vec<_> = (0..PARTS)
-            .map(|p| Whole(splats.get(p).unwrap_or(&splats[0])))
-            .collect();
+        let all: Vec<_> = (0..PARTS).map(|p| Whole(splats.get(p).unwrap_or(&splats[0]))).collect();
         raster_backward.groups.push(group(gpu, &kernels.raster_backward, 1, &all));
-        let collected =
-            [&plan.view, &chunk.place, &fixed.now, &plan.counts, touched, starts, records, &pose_partials, &chunk.core, &chunk.harmonics];
+        let collected = [
+            &plan.view,
+            &chunk.place,
+            &fixed.now,
+            &plan.counts,
+            touched,
+            starts,
+            records,
+            &pose_partials,
+            &chunk.core,
+            &chunk.harmonics,
+        ];
         let (kernel, rest) = match finish {
             Finish::Update => (
                 &kernels.update,
@@ -182,10 +196,7 @@ impl Iteration {
         let finish = step(kernel, &buffers, Size::Direct(groups, 1));
         let end = step(
             &kernels.end,
-            &[
-                &fixed.state, &fixed.now, &plan.counts, &pose_partials, &fixed.cameras, &fixed.poses,
-                &fixed.corrections,
-            ],
+            &[&fixed.state, &fixed.now, &plan.counts, &pose_partials, &fixed.cameras, &fixed.poses, &fixed.corrections],
             Size::Direct(1, 1),
         );
         let (ssim, loss_gradient) =

@@ -3,8 +3,8 @@
 use wgpu::ComputePipeline;
 
 use crate::splat::render::gpu::Gpu;
-use crate::splat::render::gpu::sort::Radix;
 use crate::splat::render::gpu::kernel::compile;
+use crate::splat::render::gpu::sort::Radix;
 
 macro_rules! sources {
     ($($name:literal),*) => { concat!($(include_str!(concat!("../../../../shaders/", $name, ".wgsl"))),*) };
@@ -75,7 +75,10 @@ impl Kernels {
             radix: Radix::new(gpu),
             begin: plain("begin", sources!("view", "training", "chunk", "begin")),
             ssim: plain("ssim", sources!("view", "training", "hash", "backdrop", "window", "ssim")),
-            loss_gradient: plain("loss_gradient", sources!("view", "training", "hash", "backdrop", "window", "loss_gradient")),
+            loss_gradient: plain(
+                "loss_gradient",
+                sources!("view", "training", "hash", "backdrop", "window", "loss_gradient"),
+            ),
             raster_backward,
             update: plain(
                 "update",
@@ -117,10 +120,7 @@ impl Kernels {
             scan_blocks: plain("scan_blocks", sources!("blocks", "scan_blocks")),
             refine_place: plain("refine_place", sources!("blocks", "refine", "refine_items", "refine_place")),
             gather: plain("gather", sources!("gather")),
-            refine_split: plain(
-                "refine_split",
-                sources!("refine", "rotation", "hash", "refine_split"),
-            ),
+            refine_split: plain("refine_split", sources!("refine", "rotation", "hash", "refine_split")),
             opacity_reset: plain("opacity_reset", sources!("refine", "opacity_reset")),
         }
     }

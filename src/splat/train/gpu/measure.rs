@@ -41,7 +41,13 @@ fn median(mut values: Vec<f64>) -> f64 {
 /// parameter written to memory.
 ///
 /// Errors: environment from the GPU.
-pub fn forward_backward(gpu: &Gpu, g: &Gaussians, cameras: &[Camera], target: &[[f32; 3]], rounds: usize) -> Result<Passes> {
+pub fn forward_backward(
+    gpu: &Gpu,
+    g: &Gaussians,
+    cameras: &[Camera],
+    target: &[[f32; 3]],
+    rounds: usize,
+) -> Result<Passes> {
     let n = g.len();
     let at = Checkpoint {
         iteration: 0,
@@ -62,7 +68,11 @@ pub fn forward_backward(gpu: &Gpu, g: &Gaussians, cameras: &[Camera], target: &[
     gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&wanted));
     let pictures = cameras.iter().map(|_| Picture { width, height, wanted: buffer.clone() }).collect();
     let steps: Vec<Step> = (0..cameras.len() as u32)
-        .map(|i| Step { loss: [1.0 / (3 * width * height) as f32, 0.0, 0.0, 0.0], words: [0, 0, i, 3], ..Step::zeroed() })
+        .map(|i| Step {
+            loss: [1.0 / (3 * width * height) as f32, 0.0, 0.0, 0.0],
+            words: [0, 0, i, 3],
+            ..Step::zeroed()
+        })
         .collect();
     let mut options = Options::default();
     options.density.until = 0;

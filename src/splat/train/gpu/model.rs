@@ -29,8 +29,7 @@ impl Model {
     pub fn new(gpu: &Gpu, capacity: u32) -> Result<Model> {
         let scene = Scene::room_for(gpu, capacity)?;
         let bytes = u64::from(capacity) * 16;
-        let [core_moments, harmonics_m, harmonics_v] =
-            [6, 12, 12].map(|planes| gpu.buffer("moments", planes * bytes));
+        let [core_moments, harmonics_m, harmonics_v] = [6, 12, 12].map(|planes| gpu.buffer("moments", planes * bytes));
         let seen = gpu.buffer("seen", u64::from(capacity) * 8);
         Ok(Model { scene, core_moments, harmonics_m, harmonics_v, seen, count: 0, capacity })
     }
@@ -38,8 +37,7 @@ impl Model {
     /// Buffer, number of planes, whether a new Gaussian starts at zero.
     pub fn planes(&self) -> [(&Buffer, u32, bool); 5] {
         let chunk = &self.scene.chunks[0];
-        let buffers =
-            [&chunk.core, &chunk.harmonics, &self.core_moments, &self.harmonics_m, &self.harmonics_v];
+        let buffers = [&chunk.core, &chunk.harmonics, &self.core_moments, &self.harmonics_m, &self.harmonics_v];
         std::array::from_fn(|i| (buffers[i], PLANES[i].0, PLANES[i].1))
     }
 
@@ -115,10 +113,14 @@ impl Model {
                 .collect()
         };
         let sh = |v: &[[f32; 4]]| -> Vec<Sh> {
-            (0..n).map(|i| std::array::from_fn(|k| {
-                let f = 3 * (k % 16) + k / 16;
-                v[f / 4 * capacity + i][f % 4]
-            })).collect()
+            (0..n)
+                .map(|i| {
+                    std::array::from_fn(|k| {
+                        let f = 3 * (k % 16) + k / 16;
+                        v[f / 4 * capacity + i][f % 4]
+                    })
+                })
+                .collect()
         };
         let g = Packed { core: core(&planes(&chunk.core, 3)?, 0), sh: sh(&planes(&chunk.harmonics, 12)?) };
         let cm = planes(&self.core_moments, 6)?;

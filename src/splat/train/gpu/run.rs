@@ -106,8 +106,7 @@ impl<'a> Run<'a> {
         let iteration = Iteration::new(gpu, &mut drawing, &kernels, &model, &fixed, room as u32, finish);
         gpu.check()?;
         let iteration = iteration.ok_or_else(|| Error::usage("training").expected("a target").found("none"))?;
-        let mut run =
-            Run { gpu, drawing, kernels, model, fixed, iteration, steps, done: at.iteration, room, peak: 0 };
+        let mut run = Run { gpu, drawing, kernels, model, fixed, iteration, steps, done: at.iteration, room, peak: 0 };
         run.stand();
         Ok(run)
     }

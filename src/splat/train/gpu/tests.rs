@@ -43,7 +43,14 @@ struct All {
 }
 
 /// One forward and backward pass. `pulls`: the loss's gradient at every pixel in place of the loss's own.
-fn on_gpu(gpu: &Gpu, g: &Gaussians, target: &Target, options: &Options, pixels: u32, pulls: Option<&[[f32; 4]]>) -> All {
+fn on_gpu(
+    gpu: &Gpu,
+    g: &Gaussians,
+    target: &Target,
+    options: &Options,
+    pixels: u32,
+    pulls: Option<&[[f32; 4]]>,
+) -> All {
     let targets = std::slice::from_ref(target);
     let at = Checkpoint::new(g, targets).unwrap();
     let n = g.len() as u64;
@@ -85,7 +92,8 @@ fn on_gpu(gpu: &Gpu, g: &Gaussians, target: &Target, options: &Options, pixels: 
     let stride = run.model.capacity as usize;
     let (core, sh) = (vectors(&out.core, 3), vectors(&out.harmonics, 12));
     let groups = run.model.capacity.div_ceil(256) as usize;
-    let partials: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&read(gpu, &i.pose_partials, groups as u64 * 32).unwrap());
+    let partials: Vec<[f32; 4]> =
+        bytemuck::pod_collect_to_vec(&read(gpu, &i.pose_partials, groups as u64 * 32).unwrap());
     let tiles = picture.width.div_ceil(16) * picture.height.div_ceil(16);
     let sums: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&read(gpu, &i.sums, 8 * u64::from(tiles)).unwrap());
     let used = g.len().div_ceil(256);
@@ -117,12 +125,12 @@ fn on_cpu(g: &Gaussians, target: &Target, options: &Options) -> (All, f64) {
     raster.forward(&view, None);
     let wanted = Wanted::new(w, h, &target.color, &target.alpha, target.held_back.as_deref());
     let mut loss = Loss::new(w, h);
-    let value =
-        loss.evaluate(&raster.tiles, |_| true, &wanted, options.background(0), options.lambda_dssim, 1.0);
+    let value = loss.evaluate(&raster.tiles, |_| true, &wanted, options.background(0), options.lambda_dssim, 1.0);
     raster.backward(&loss.tiles);
     let mut all = All { core: Vec::new(), sh: Vec::new(), pose: [0.0; 6], sums: [0.0; 2] };
     for i in 0..g.len() {
-        let gradient = raster.gradient_of(i).and_then(|up| backward(&packed.core[i], &packed.sh[i], &view, degree, &up));
+        let gradient =
+            raster.gradient_of(i).and_then(|up| backward(&packed.core[i], &packed.sh[i], &view, degree, &up));
         let finite = gradient.filter(|g| g.core.iter().sum::<f32>().is_finite());
         match finite {
             None => {
@@ -160,7 +168,12 @@ fn same(got: &All, want: &All, what: &str) {
     assert!(bad.len() * 100 <= n, "{what}: harmonics of {bad:?}");
     let pose = want.pose.iter().fold(0f32, |a, b| a.max(b.abs()));
     for k in 0..6 {
-        assert!((got.pose[k] - want.pose[k]).abs() <= 5e-3 * pose + 1e-7, "{what}: pose {:?} {:?}", got.pose, want.pose);
+        assert!(
+            (got.pose[k] - want.pose[k]).abs() <= 5e-3 * pose + 1e-7,
+            "{what}: pose {:?} {:?}",
+            got.pose,
+            want.pose
+        );
     }
 }
 
@@ -186,7 +199,9 @@ fn options(degree: usize, behind: Behind) -> Options {
 #[test]
 fn gradients_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
-    for (seed, n, size, w, h) in [(1, 300, 0.06, 93, 70), (2, 40, 0.3, 64, 64), (3, 3000, 0.015, 150, 100), (4, 1, 0.3, 17, 5)] {
+    for (seed, n, size, w, h) in
+        [(1, 300, 0.06, 93, 70), (2, 40, 0.3, 64, 64), (3, 3000, 0.015, 150, 100), (4, 1, 0.3, 17, 5)]
+    {
         let g = scene(n, size, seed);
         let t = target(camera(w, h), seed);
         let o = Options { seed, ..options(if seed == 2 { 1 } else { 3 }, Behind::Changing) };
@@ -252,8 +267,7 @@ fn gradients_match_finite_differences() {
         g.sh[2][0] = [-1.9, 0.3, -1.6]; // under the colour clamp
         let mut r = Random::new(seed);
         // The loss: fixed random weights on colour and final transmittance.
-        let weights: Vec<[f32; 4]> =
-            (0..35 * 28).map(|_| std::array::from_fn(|_| r.uniform() - 0.3)).collect();
+        let weights: Vec<[f32; 4]> = (0..35 * 28).map(|_| std::array::from_fn(|_| r.uniform() - 0.3)).collect();
         let mut t = target(camera, seed);
         t.held_back = None;
         let got = on_gpu(gpu, &g, &t, &options(3, Behind::Fixed([0.0; 3])), 2, Some(&weights));
@@ -268,7 +282,10 @@ fn gradients_match_finite_differences() {
         let eps = 1e-8;
         let close = |got: f32, expected: f64, what: String| {
             let allowed = 0.01 * expected.abs() + 2e-3;
-            assert!((got as f64 - expected).abs() < allowed, "scene {seed}, {what}: {got}, differences give {expected}");
+            assert!(
+                (got as f64 - expected).abs() < allowed,
+                "scene {seed}, {what}: {got}, differences give {expected}"
+            );
         };
         for i in 0..g.len() {
             for k in 0..59 {
@@ -347,8 +364,16 @@ fn density_grows_prunes_and_resets() {
     let Some(gpu) = gpu() else { return };
     let (targets, start) = problem(48);
     let mut o = Options::scaled(60);
-    o.density =
-        Density { every: 8, from: 8, until: 60, gradient: 1e-6, growth: 0.3, max_gaussians: 400, reset_every: 20, ..o.density };
+    o.density = Density {
+        every: 8,
+        from: 8,
+        until: 60,
+        gradient: 1e-6,
+        growth: 0.3,
+        max_gaussians: 400,
+        reset_every: 20,
+        ..o.density
+    };
     let one = |threshold| {
         let o = Options { density: Density { gradient: threshold, ..o.density }, ..o };
         train(Engine::Gpu(gpu), start.clone(), &targets, &o, &Silent).unwrap()
@@ -390,7 +415,8 @@ fn short_lists_halt_and_go_on() {
     let mut t = target(Camera::look_at(Vec3::new(0.0, -4.0, 0.0), Vec3::ZERO, 0.9, 400), 3);
     t.held_back = None;
     t.refine_pose = false;
-    let o = Options { iterations: 3, density: Density { until: 0, ..Options::default().density }, ..Options::default() };
+    let o =
+        Options { iterations: 3, density: Density { until: 0, ..Options::default().density }, ..Options::default() };
     let run = |engine| train(engine, g.clone(), std::slice::from_ref(&t), &o, &Silent).unwrap();
     let (a, b) = (run(Engine::Gpu(gpu)), run(Engine::Cpu));
     assert_eq!(a.report.iterations, 3);
