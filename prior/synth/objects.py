@@ -9,7 +9,7 @@ from .craft import helicopter, plane, ship
 from .creatures import bird, bust, person, quadruped, soft_toy
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
-from .layout import BALL, BOX, FLOATS, PRIMS, SPOKES
+from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, jet, plant_hall, rocket, rotorcraft, round_car, tractor, train
 from .structures import (
     arch,
@@ -149,17 +149,31 @@ def draw_stretch(rng):
 
 
 def bounds(primitives, stretch):
-    """Lowest and highest corner, [3] each, of a box that holds all primitives."""
+    """Lowest and highest corner, [3] each, of the box around all primitives."""
     low = np.full(3, 1e9)
     high = np.full(3, -1e9)
     for p in primitives:
-        lean = [abs(p.shift[0]) / p.half[0], abs(p.shift[1]) / p.half[1]] if p.kind == BOX else [0, 0]
-        wide = p.taper if p.kind == BOX else (p.taper[0], p.taper[0]) if p.kind != BALL else (1, 1)
-        reach = np.array([max(1, wide[0]) + lean[0], max(1, wide[1]) + lean[1], 1])
-        extent = np.abs(p.rotation) @ (p.half * reach)
-        low = np.minimum(low, stretch @ p.centre - extent)
-        high = np.maximum(high, stretch @ p.centre + extent)
+        for end, reach in outline(p):
+            place = stretch @ p.centre + p.rotation @ end
+            low = np.minimum(low, place - reach)
+            high = np.maximum(high, place + reach)
     return low, high
+
+
+def outline(p):
+    """Points [3] of the primitive's own frame with what lies around each, [3] along the object's axes, that span it."""
+    axes = p.rotation * p.half
+    if p.kind == BALL:
+        return [(np.zeros(3), np.linalg.norm(axes, axis=1))]
+    bottom, top = -p.half[2], p.half[2]
+    if p.kind == BOX:
+        lean = np.array([*p.shift, 0]) / 2
+        wide = np.abs(p.rotation[:, 0]) * p.half[0], np.abs(p.rotation[:, 1]) * p.half[1]
+        above = wide[0] * p.taper[0] + wide[1] * p.taper[1]
+        return [(np.array([0, 0, bottom]) - lean, wide[0] + wide[1]), (np.array([0, 0, top]) + lean, above)]
+    # A prism's corners lie outside the circle of its sides' middles.
+    wide = np.hypot(axes[:, 0], axes[:, 1]) / (np.cos(np.pi / p.taper[1]) if p.kind == PRISM else 1)
+    return [(np.array([0, 0, bottom]), wide), (np.array([0, 0, top]), wide * p.taper[0])]
 
 
 def row(primitive, centre, rotation, scale):
