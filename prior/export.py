@@ -1,4 +1,4 @@
-"""Export trained weights to ONNX: weights stored as float16, arithmetic in float32.
+"""Export trained weights to ONNX: weights stored as int8 or float16, arithmetic in float32.
 
 python export.py SCENE_WEIGHTS.pt SPLAT_WEIGHTS.pt OUT_DIR
 """
@@ -15,7 +15,7 @@ from nets import SceneNet, SplatNet, load_weights
 
 OPSET = 17
 # Smaller tensors (biases, norms) stay float32.
-HALVE_FROM = 1024
+PACK_FROM = 1024
 
 SCENE_OUTPUTS = ["mask", "inverse_depth"]
 SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation"]
@@ -45,18 +45,35 @@ class Splat(torch.nn.Module):
         return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation"))
 
 
-def halve(path):
-    """Store the large float32 weights of the ONNX file as float16, each with a Cast back before its use."""
+def pack(path):
+    """Store the large weights of the ONNX file as int8 with one scale an output channel, others as float16.
+
+    A Cast, and for int8 a Mul, before its use turns each back; runtimes do that once, when they load the file. (Not
+    DequantizeLinear: ONNX Runtime takes it as leave to round activations as well.)
+    """
     model = onnx.load(path)
-    casts = []
+    users = {name: node for node in model.graph.node for name in node.input}
+    opened, scales = [], []
     for tensor in model.graph.initializer:
-        if tensor.data_type != TensorProto.FLOAT or np.prod(tensor.dims) < HALVE_FROM:
+        if tensor.data_type != TensorProto.FLOAT or np.prod(tensor.dims) < PACK_FROM:
             continue
-        name = tensor.name
-        values = numpy_helper.to_array(tensor).astype(np.float16)
-        tensor.CopyFrom(numpy_helper.from_array(values, name + "_f16"))
-        casts.append(helper.make_node("Cast", [name + "_f16"], [name], to=TensorProto.FLOAT))
-    nodes = casts + list(model.graph.node)
+        name, user = tensor.name, users[tensor.name]
+        values = numpy_helper.to_array(tensor)
+        if user.op_type not in ("Conv", "Gemm", "MatMul") or name.startswith("n.net.head"):
+            tensor.CopyFrom(numpy_helper.from_array(values.astype(np.float16), name + "_f16"))
+            opened.append(helper.make_node("Cast", [name + "_f16"], [name], to=TensorProto.FLOAT))
+            continue
+        axis = values.ndim - 1 if user.op_type == "MatMul" else 0
+        others = tuple(i for i in range(values.ndim) if i != axis)
+        scale = np.maximum(np.abs(values).max(others) / 127, 1e-12).astype(np.float32)
+        shape = [-1 if i == axis else 1 for i in range(values.ndim)]
+        scale = scale.reshape(shape)
+        tensor.CopyFrom(numpy_helper.from_array(np.round(values / scale).astype(np.int8), name + "_i8"))
+        scales.append(numpy_helper.from_array(scale, name + "_scale"))
+        opened.append(helper.make_node("Cast", [name + "_i8"], [name + "_whole"], to=TensorProto.FLOAT))
+        opened.append(helper.make_node("Mul", [name + "_whole", name + "_scale"], [name]))
+    model.graph.initializer.extend(scales)
+    nodes = opened + list(model.graph.node)
     del model.graph.node[:]
     model.graph.node.extend(nodes)
     onnx.checker.check_model(model)
@@ -76,7 +93,7 @@ def export(wrapped, example, path, input_name, output_names):
             dynamo=False,
             do_constant_folding=True,
         )
-    halve(path)
+    pack(path)
     print(path, os.path.getsize(path), "bytes")
 
 

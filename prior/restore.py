@@ -42,11 +42,14 @@ def module_path(node_name):
 
 
 def stored_values(graph):
-    """All weights by the name under which nodes read them, as float32 (float16 ones through their Cast)."""
+    """All weights by the name under which nodes read them, as float32: float16 and int8 ones turned back."""
     values = {t.name: numpy_helper.to_array(t) for t in graph.initializer}
     for node in graph.node:
         if node.op_type in ("Cast", "Identity") and node.input[0] in values:
             values[node.output[0]] = values[node.input[0]]
+        if node.op_type == "Mul" and node.input[0].endswith("_whole"):
+            whole, scale = (values[name] for name in node.input)
+            values[node.output[0]] = whole.astype(np.float32) * scale
     return {name: np.asarray(value, np.float32) for name, value in values.items()}
 
 

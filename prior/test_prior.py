@@ -40,13 +40,62 @@ def test_same_seed_same_bytes():
 
 def test_objects_stand_on_their_ground_inside_the_unit_sphere():
     for seed in SEEDS:
-        rows, count, ground = make_object(seed)
+        rows, count, ground, _ = make_object(seed)
         assert 1 <= count <= layout.PRIMS
         assert not rows[count:].any()
         assert np.isfinite(rows).all()
         assert -1 < ground < 0
         assert (rows[:count, layout.HALF_SIZE] > 0).all()
         assert (np.linalg.norm(rows[:count, layout.CENTRE], axis=1) <= 1).all()
+
+
+def test_bounding_boxes_fit():
+    """The lowest point that rays meet is the ground, and the box's diagonal is 2: nothing is smaller than it says."""
+    torch = pytest.importorskip("torch")
+    from synth.cameras import look_at, pack
+    from synth.environments import environments
+    from synth.raycast import cast
+
+    seeds = range(40)
+    made = [make_object(seed) for seed in seeds]
+    prims = torch.from_numpy(np.stack([m.rows for m in made]))
+    # What leaves and bars leave open does not count, nor what is turned at random about the vertical.
+    prims[..., layout.CUTOUT] = 0
+    counts = torch.tensor([m.count for m in made], dtype=torch.int32)
+    eye = torch.tensor([[80.0, 0, 0]]).expand(len(made), 3)
+    cameras = pack(*look_at(eye), torch.full((len(made),), 0.03), 160, subject_only=True)
+    surroundings = environments(len(made), torch.full((len(made),), -1e3), "cpu")
+    _, alpha, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 1)
+    rows = [torch.where(a.amax(1) > 0)[0] for a in alpha]
+    unit = 80 * 2 * np.tan(0.015) / 160
+    bottom = np.array([80 - (r.max().item() + 1) for r in rows]) * unit
+    top = np.array([80 - r.min().item() for r in rows]) * unit
+    grounds = np.array([m.ground for m in made])
+    assert np.abs(bottom - grounds).max() < 6 * unit
+    assert np.abs(top + grounds).max() < 6 * unit
+
+
+def test_enumerations_of_the_kernel_are_those_of_the_layout():
+    kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
+    for name in ("BOX BALL CYL TUBE PRISM LEAVES BARS RUNGS LATTICE GRID SPOKES OPEN_SKY LANDSCAPE WALL NOISE_ROOM "
+                 "CLUTTER TREES TOWN EARTH TILED PAVED GRASS WATER PLANKED CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
+        assert kernel[name] == getattr(layout, name), name
+
+
+def test_generated_batches_are_finite_and_points_lie_on_subjects():
+    torch = pytest.importorskip("torch")
+    from nets import SplatNet
+    from synth.batches import make_pool, scene_batch, splat_batch
+
+    torch.manual_seed(0)
+    pool = make_pool(0, 64, 2, "cpu")
+    scenes = scene_batch(pool, 8, size=64)
+    subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
+    assert all(torch.isfinite(t).all() for t in (*scenes, *subjects))
+    given = scenes.point.flatten(1).amax(1) > 0
+    assert given.any()
+    at = scenes.point.flatten(1).argmax(1)
+    assert (scenes.alpha.flatten(1)[torch.arange(8), at][given] > 0.5).all()
 
 
 @pytest.mark.parametrize("which", ["scene", "splat"])

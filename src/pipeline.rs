@@ -98,7 +98,9 @@ pub fn reconstruct(
     }
     progress.begin("mask and depth", 0);
     let cutout = mask.as_ref().or(photo.cutout.as_ref());
-    let mut subject = scene::subject(&photo.pixels, cutout, &*engine.load(prior::SCENE.verified()?)?)?;
+    let graph = engine.load(prior::SCENE.verified()?)?;
+    let mut subject = scene::subject(&photo.pixels, cutout, sources.point(), &*graph)?;
+    drop(graph);
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);

@@ -18,7 +18,8 @@ use crate::{Error, Result};
 
 /// Where the mask comes from.
 pub enum Mask {
-    BuiltIn,
+    /// The built-in network's, of what this point of the photo (pixels) lies on, or of what stands in the middle.
+    BuiltIn(Option<[f32; 2]>),
     /// 0..255; any size, laid over the whole photo.
     Given(GrayImage),
     Network(Network, sam::Prompt),
@@ -45,7 +46,7 @@ pub struct Sources {
 
 impl Default for Sources {
     fn default() -> Self {
-        Sources { engine: Box::new(Rten), mask: Mask::BuiltIn, depth: None, views: Views::BuiltIn, cache: None }
+        Sources { engine: Box::new(Rten), mask: Mask::BuiltIn(None), depth: None, views: Views::BuiltIn, cache: None }
     }
 }
 
@@ -107,7 +108,7 @@ impl Sources {
     pub fn mask(&self, photo: &Photo, outcome: &mut Outcome, progress: &dyn Progress) -> Result<Option<GrayImage>> {
         let (w, h) = photo.pixels.dimensions();
         match &self.mask {
-            Mask::BuiltIn => Ok(None),
+            Mask::BuiltIn(_) => Ok(None),
             Mask::Given(mask) => {
                 outcome.mask_given = true;
                 Ok(Some(stretched(mask, w, h)))
@@ -119,6 +120,14 @@ impl Sources {
                 outcome.mask_score = Some((found.score, found.refined));
                 Ok(Some(found.mask))
             }
+        }
+    }
+
+    /// The point of the photo that tells the built-in network what the subject is.
+    pub fn point(&self) -> Option<[f32; 2]> {
+        match self.mask {
+            Mask::BuiltIn(point) => point,
+            Mask::Given(_) | Mask::Network(..) => None,
         }
     }
 

@@ -147,7 +147,8 @@ fn options_that_cannot_be_met_are_refused_and_publish_nothing() {
     ball().save(m.path("views.png")).unwrap();
     image::GrayImage::new(80, 80).save(m.path("black.png")).unwrap();
     std::fs::write(m.path("text.onnx"), "words").unwrap();
-    ends(&run(&["--point", "10,10"]), 2, &["an imported mask network"]);
+    ends(&run(&["--box", "1,1,200,200"]), 2, &["an imported mask network"]);
+    ends(&run(&["--point", "10,10", "--point", "30,30"]), 2, &["an imported mask network"]);
     ends(&run(&["--point", "10"]), 2, &["X,Y"]);
     ends(&run(&["--point", "9999,1"]), 2, &["512 × 512"]);
     ends(&run(&["--box", "1,2,3"]), 2, &["X0,Y0,X1,Y1"]);

@@ -27,8 +27,9 @@ from .layout import (
     SUBJECT,
 )
 from .lens import exposed, stored
-from .objects import make_object
+from .objects import COMPANIONS, make_object
 from .raycast import cast
+from .structures import leafy
 
 # Objects that may stand around the subject of a photo.
 DISTRACTORS = 5
@@ -38,13 +39,14 @@ GREY = 0.5
 class Pool(NamedTuple):
     """Objects to draw from: prims [N, PRIMS, 36], counts [N] int32, grounds [N] (height of the ground).
 
-    companions [M]: the indices of those that often stand near others.
+    companions [M]: the indices of those that often stand near others; foliage [F]: of trees and bushes.
     """
 
     prims: torch.Tensor
     counts: torch.Tensor
     grounds: torch.Tensor
     companions: torch.Tensor
+    foliage: torch.Tensor
 
 
 def make_pool(first_seed, count, processes, device="cuda"):
@@ -56,7 +58,8 @@ def make_pool(first_seed, count, processes, device="cuda"):
         prims=torch.from_numpy(np.stack([m.rows for m in made])).to(device),
         counts=torch.tensor([m.count for m in made], dtype=torch.int32, device=device),
         grounds=torch.tensor([m.ground for m in made], dtype=torch.float32, device=device),
-        companions=torch.tensor([i for i, m in enumerate(made) if m.companion] or [0], device=device),
+        companions=torch.tensor([i for i, m in enumerate(made) if m.maker in COMPANIONS] or [0], device=device),
+        foliage=torch.tensor([i for i, m in enumerate(made) if m.maker is leafy] or [0], device=device),
     )
 
 
@@ -111,8 +114,9 @@ def scene_batch(pool, n, size=256):
     prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS), FLOATS, device=device)
     prims[:, :PRIMS] = subject
     counts = pool.counts[chosen].clone().long()
+    overgrown = uniform(chosen, 0, 1) < 0.18
     for i in range(DISTRACTORS):
-        add_distractor(prims, counts, pool, ground, azimuth, before=i == 0)
+        add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0)
     cameras = photo_cameras(azimuth, elevation, ground, size, pointed)
     surroundings = environments(n, ground, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
@@ -121,11 +125,11 @@ def scene_batch(pool, n, size=256):
     return SceneBatch(photo, points(alpha, pointed), alpha, depth)
 
 
-def add_distractor(prims, counts, pool, ground, azimuth, before):
+def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
     """In just under half of the scenes, one more object behind or beside the subject; prims and counts grow in place.
 
     prims [n, P, 36], counts [n] int64, ground [n], azimuth [n] of the camera in radians. `before`: in some scenes
-    a low one in front instead.
+    a low one in front instead. Where `overgrown` [n] is set, trees and bushes close around and in front.
     """
     n, capacity, _ = prims.shape
     device = prims.device
@@ -133,6 +137,8 @@ def add_distractor(prims, counts, pool, ground, azimuth, before):
     companions = pool.companions[torch.randint(len(pool.companions), (n,), device=device)]
     front = (uniform(ground, 0, 1) < 0.3) & before
     chosen = torch.where((uniform(ground, 0, 1) < 0.5) | front, companions, chosen)
+    foliage = pool.foliage[torch.randint(len(pool.foliage), (n,), device=device)]
+    chosen = torch.where(overgrown, foliage, chosen)
     rows = recolour(pool.prims[chosen])
     scale = torch.where(front, torch.exp(uniform(ground, -1.8, -0.6)), torch.exp(uniform(ground, -1.1, 1.1)))
     near = uniform(ground, 0, 1) < 0.3
@@ -140,7 +146,10 @@ def add_distractor(prims, counts, pool, ground, azimuth, before):
     distance = torch.where(front, uniform(ground, 1.0, 1.7), distance * (0.6 + 0.5 * scale) + 0.3 * scale)
     bearing = azimuth + math.pi + uniform(ground, -1, 1) * torch.where(near, 2.4, 1.4)
     bearing = torch.where(front, azimuth + uniform(ground, -0.7, 0.7), bearing)
-    present = uniform(ground, 0, 1) < 0.45
+    scale = torch.where(overgrown, torch.exp(uniform(ground, -1.5, 0.1)), scale)
+    distance = torch.where(overgrown, uniform(ground, 0.8, 1.5) + 0.3 * scale, distance)
+    bearing = torch.where(overgrown, azimuth + uniform(ground, -1.7, 1.7), bearing)
+    present = uniform(ground, 0, 1) < torch.where(overgrown, 0.8, 0.45)
     up = ground - pool.grounds[chosen] * scale
     offset = torch.stack([distance * bearing.cos(), distance * bearing.sin(), up], 1)
     rows[..., CENTRE] = rows[..., CENTRE] * scale[:, None, None] + offset[:, None]

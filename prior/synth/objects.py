@@ -1,5 +1,6 @@
 """A seed becomes an object: one maker's primitives, stretched, centred and scaled to a bounding box of diagonal 2."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from .craft import helicopter, plane, ship
 from .creatures import bird, bust, person, quadruped, soft_toy
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
-from .layout import BALL, BOX, FLOATS, PRIMS, SPOKES
+from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, jet, plant_hall, rocket, rotorcraft, round_car, tractor, train
 from .structures import (
     arch,
@@ -105,8 +106,7 @@ COMPANIONS = (leafy, plant, street_furniture, lattice_mast, fence, person, gable
 
 
 class Made(NamedTuple):
-    """An object: primitive rows float32 [PRIMS, FLOATS], how many are used, the height of its ground, whether it is a
-    companion of others.
+    """An object: primitive rows float32 [PRIMS, FLOATS], how many are used, the height of its ground, who made it.
 
     The bounding box is centred on the origin; lengths are in units of half its diagonal.
     """
@@ -114,7 +114,7 @@ class Made(NamedTuple):
     rows: np.ndarray
     count: int
     ground: float
-    companion: bool
+    maker: Callable
 
 
 def make_object(seed):
@@ -123,18 +123,17 @@ def make_object(seed):
     kit = Kit(rng)
     maker = draw_maker(rng)
     maker(kit)
-    primitives = kit.primitives[:PRIMS]
-    # Only the centres are stretched: gaps and overlaps vary, the primitives stay what they are.
     stretch = draw_stretch(rng)
-    low, high = bounds(primitives, stretch)
+    primitives = [stretched(p, stretch) for p in kit.primitives[:PRIMS]]
+    low, high = bounds(primitives)
     centre = (low + high) / 2
     scale = 1 / (np.linalg.norm(high - low) / 2)
     spin = turn("z", rng.uniform(0, 360) if rng.random() < 0.3 else 0)
     rows = np.zeros((PRIMS, FLOATS), np.float32)
     for i, primitive in enumerate(primitives):
-        place = spin @ ((stretch @ primitive.centre - centre) * scale)
+        place = spin @ ((primitive.centre - centre) * scale)
         rows[i] = row(primitive, place, spin @ primitive.rotation, scale)
-    return Made(rows, len(primitives), (low - centre)[2] * scale, maker in COMPANIONS)
+    return Made(rows, len(primitives), (low - centre)[2] * scale, maker)
 
 
 def draw_maker(rng):
@@ -144,22 +143,43 @@ def draw_maker(rng):
 
 def draw_stretch(rng):
     if rng.random() < 0.5:
-        return np.diag([rng.uniform(0.8, 1.25), rng.uniform(0.85, 1.18), rng.uniform(0.8, 1.25)])
+        return np.diag(rng.uniform(0.85, 1.18, 3))
     return np.eye(3)
 
 
-def bounds(primitives, stretch):
-    """Lowest and highest corner, [3] each, of a box that holds all primitives."""
+def stretched(p, stretch):
+    """The primitive in a stretched object; one that lies askew keeps its angles, and only its sizes follow."""
+    along = np.linalg.norm(stretch @ p.rotation, axis=0)
+    shift = (p.shift[0] * along[0], p.shift[1] * along[1])
+    return p._replace(centre=stretch @ p.centre, half=p.half * along, shift=shift)
+
+
+def bounds(primitives):
+    """Lowest and highest corner, [3] each, of the box around all primitives."""
     low = np.full(3, 1e9)
     high = np.full(3, -1e9)
     for p in primitives:
-        lean = [abs(p.shift[0]) / p.half[0], abs(p.shift[1]) / p.half[1]] if p.kind == BOX else [0, 0]
-        wide = p.taper if p.kind == BOX else (p.taper[0], p.taper[0]) if p.kind != BALL else (1, 1)
-        reach = np.array([max(1, wide[0]) + lean[0], max(1, wide[1]) + lean[1], 1])
-        extent = np.abs(p.rotation) @ (p.half * reach)
-        low = np.minimum(low, stretch @ p.centre - extent)
-        high = np.maximum(high, stretch @ p.centre + extent)
+        for end, reach in outline(p):
+            place = p.centre + p.rotation @ end
+            low = np.minimum(low, place - reach)
+            high = np.maximum(high, place + reach)
     return low, high
+
+
+def outline(p):
+    """Points [3] of the primitive's own frame with what lies around each, [3] along the object's axes, that span it."""
+    axes = p.rotation * p.half
+    if p.kind == BALL:
+        return [(np.zeros(3), np.linalg.norm(axes, axis=1))]
+    bottom, top = -p.half[2], p.half[2]
+    if p.kind == BOX:
+        lean = np.array([*p.shift, 0]) / 2
+        wide = np.abs(p.rotation[:, 0]) * p.half[0], np.abs(p.rotation[:, 1]) * p.half[1]
+        above = wide[0] * p.taper[0] + wide[1] * p.taper[1]
+        return [(np.array([0, 0, bottom]) - lean, wide[0] + wide[1]), (np.array([0, 0, top]) + lean, above)]
+    # A prism's corners lie outside the circle of its sides' middles.
+    wide = np.hypot(axes[:, 0], axes[:, 1]) / (np.cos(np.pi / p.taper[1]) if p.kind == PRISM else 1)
+    return [(np.array([0, 0, bottom]), wide), (np.array([0, 0, top]), wide * p.taper[0])]
 
 
 def row(primitive, centre, rotation, scale):

@@ -51,7 +51,7 @@ pub struct NetworkArgs {
     #[arg(long, value_name = "FILE", help_heading = "Networks")]
     pub mask: Option<PathBuf>,
 
-    /// A point on the subject, in pixels of the photo, for an imported mask network. May be given several times.
+    /// A point on the subject, in pixels of the photo. An imported mask network takes several.
     #[arg(long, value_name = "X,Y", conflicts_with = "mask", help_heading = "Networks")]
     pub point: Vec<String>,
 
@@ -127,13 +127,14 @@ pub fn choose(
 
     let registry = registry(data);
     let picked = Picked::of(&args.networks, &registry)?;
-    let prompted = !args.point.is_empty() || args.bounds.is_some();
-    if prompted && picked.mask.is_none() {
+    let more = args.point.len() > 1 || args.bounds.is_some();
+    if more && picked.mask.is_none() {
         return Err(Error::usage("--point or --box")
-            .expected("an imported mask network that takes them")
-            .found("none")
+            .expected("one point, or an imported mask network, which takes several and boxes")
+            .found("more, and none imported")
             .advice("Import SAM 2 or MobileSAM (`orb models import`), or bring a mask: --mask FILE."));
     }
+    let point = (!args.point.is_empty()).then(|| prompt.points[0]);
     let wanted = |manifest: Option<Manifest>, taken: bool| match manifest {
         Some(m) if !taken => registry.verified(&m).map(Some),
         _ => Ok(None),
@@ -170,7 +171,7 @@ pub fn choose(
         mask: match (given_mask, mask) {
             (Some(given), _) => Mask::Given(given),
             (None, Some(network)) => Mask::Network(network, prompt),
-            (None, None) => Mask::BuiltIn,
+            (None, None) => Mask::BuiltIn(point),
         },
         depth,
         views: match (given_views, views) {

@@ -17,16 +17,16 @@ pub struct Weights {
 /// Photo → subject mask and inverse depth.
 pub const SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.1",
-    sha256: "e72becb31b636c55034b15c9078f513734119042e007402210054352306a7199",
+    version: "0.2",
+    sha256: "5bd729f926d718e58b05dfac60d1a771f8792db5c913d1effafa93aade6c53e5",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
 /// Cropped subject → Gaussians and the camera's elevation.
 pub const SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.1",
-    sha256: "d222e65539eb7365a14e64ccc16eb04d428d5860c502d804650c0838161cc8e6",
+    version: "0.2",
+    sha256: "a0bb4029a7e3a384e0fb001248b73a733a6078a8f5ee97efb90750e70d6176e6",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

@@ -61,16 +61,17 @@ pub fn regions(
     (labels, found)
 }
 
-/// Keeps the region above `threshold` with the most mask near the centre (a Gaussian of a quarter of the frame), with
-/// the soft fringe up to `fringe` pixels around it; the rest becomes 0. Nothing above the threshold: all 0.
-pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize) {
+/// Keeps the region above `threshold` with the most mask near `focus` (shares of the frame; a Gaussian of a quarter of
+/// the frame), with the soft fringe up to `fringe` pixels around it; the rest becomes 0. Nothing above the threshold:
+/// all 0.
+pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize, focus: [f32; 2]) {
     let (w, h) = (mask.width, mask.height);
-    let bell = |position: usize, size: usize| {
-        let d = ((position as f64 + 0.5) / size as f64 - 0.5) / 0.25;
+    let bell = |position: usize, size: usize, focus: f32| {
+        let d = ((position as f64 + 0.5) / size as f64 - f64::from(focus)) / 0.25;
         (-0.5 * d * d).exp()
     };
     let (across, down): (Vec<f64>, Vec<f64>) =
-        ((0..w).map(|x| bell(x, w)).collect(), (0..h).map(|y| bell(y, h)).collect());
+        ((0..w).map(|x| bell(x, w, focus[0])).collect(), (0..h).map(|y| bell(y, h, focus[1])).collect());
     let (labels, found) =
         regions(w, h, |i| mask.data[i] > threshold, |i| f64::from(mask.data[i]) * across[i % w] * down[i / w]);
     let mut best = 0;
@@ -81,6 +82,33 @@ pub fn keep_central(mask: &mut Plane, threshold: f32, fringe: usize) {
     }
     let near = dilated(w, h, fringe, |i| best != 0 && labels[i] == best);
     mask.data.iter_mut().zip(near).for_each(|(v, keep)| *v = if keep { *v } else { 0.0 });
+}
+
+/// The middle of the largest square inside what lies above `threshold`, in pixels; none where nothing does. What lies
+/// beyond the border counts as outside.
+pub fn deepest(mask: &Plane, threshold: f32) -> Option<[f32; 2]> {
+    let (w, h) = (mask.width, mask.height);
+    // Chessboard distance to the outside, in one pass down and one up.
+    let mut depth = vec![0u32; w * h];
+    let at = |depth: &[u32], x: isize, y: isize| match (usize::try_from(x), usize::try_from(y)) {
+        (Ok(x), Ok(y)) if x < w && y < h => depth[y * w + x],
+        _ => 0,
+    };
+    for i in (0..w * h).filter(|i| mask.data[*i] > threshold) {
+        let (x, y) = ((i % w) as isize, (i / w) as isize);
+        let near = [(-1, 0), (-1, -1), (0, -1), (1, -1)].map(|(dx, dy)| at(&depth, x + dx, y + dy));
+        depth[i] = 1 + near.into_iter().min().unwrap_or(0);
+    }
+    let mut best = (0, None);
+    for i in (0..w * h).rev().filter(|i| mask.data[*i] > threshold) {
+        let (x, y) = ((i % w) as isize, (i / w) as isize);
+        let near = [(1, 0), (1, 1), (0, 1), (-1, 1)].map(|(dx, dy)| at(&depth, x + dx, y + dy));
+        depth[i] = depth[i].min(1 + near.into_iter().min().unwrap_or(0));
+        if depth[i] > best.0 {
+            best = (depth[i], Some([x as f32 + 0.5, y as f32 + 0.5]));
+        }
+    }
+    best.1
 }
 
 /// A square dilation, separable.
@@ -153,11 +181,19 @@ mod tests {
     #[test]
     fn the_central_region_stays_with_its_fringe() {
         let mut mask = picture(&["990000000", "990000000", "000294000", "000999000", "000494000", "000000000"]);
-        keep_central(&mut mask, 0.5, 1);
+        keep_central(&mut mask, 0.5, 1, [0.5; 2]);
         assert_eq!(mask, picture(&["000000000", "000000000", "000294000", "000999000", "000494000", "000000000"]));
         let mut faint = picture(&["000", "030", "000"]);
-        keep_central(&mut faint, 0.5, 1);
+        keep_central(&mut faint, 0.5, 1, [0.5; 2]);
         assert!(faint.data.iter().all(|v| *v == 0.0));
+    }
+
+    #[test]
+    fn the_deepest_point_lies_in_the_broadest_part() {
+        let mask = picture(&["000000000", "099900000", "099999990", "099900000", "000000000"]);
+        assert_eq!(deepest(&mask, 0.5), Some([2.5, 2.5]));
+        assert_eq!(deepest(&picture(&["999", "999", "999"]), 0.5), Some([1.5, 1.5]));
+        assert_eq!(deepest(&picture(&["000", "000"]), 0.5), None);
     }
 
     #[test]

@@ -72,8 +72,8 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
         opacity: take(&mut outputs, "opacity", COUNT)?,
         color: take(&mut outputs, "color", 3 * COUNT)?,
     };
-    // Trained on −6° to 52°; beyond that the guess is no better than the bound.
-    let elevation = take(&mut outputs, "elevation", 1)?[0].clamp(-0.2, 1.0);
+    // Trained on −17° to 54°; beyond that the guess is no better than the bound.
+    let elevation = take(&mut outputs, "elevation", 1)?[0].clamp(-0.35, 1.0);
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
         return Err(Error::usage("photo")
@@ -249,7 +249,7 @@ mod tests {
         let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
         let subject = {
             let graph = Rten.load(prior::SCENE.verified().unwrap()).unwrap();
-            scene::subject(&photo.pixels, None, &*graph).unwrap()
+            scene::subject(&photo.pixels, None, None, &*graph).unwrap()
         };
         let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
         let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
