@@ -5,14 +5,6 @@
 @group(0) @binding(1) var<storage, read> sources: array<u32>;
 @group(0) @binding(2) var<storage, read_write> core: array<vec4<f32>>;
 
-// Two standard normal numbers (Box–Muller), other ones for every pair of words.
-fn normals(at: vec2<u32>) -> vec2<f32> {
-    let h = hash(refine.seed.xy ^ at);
-    let u = (vec2<f32>(h >> vec2(8u)) + 0.5) / 16777216.0;
-    let radius = sqrt(-2.0 * log(u.x));
-    return radius * vec2(cos(6.2831853 * u.y), sin(6.2831853 * u.y));
-}
-
 @compute @workgroup_size(256)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let i = id.x;
@@ -20,7 +12,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         let s = core[2u * refine.stride + i];
         let q = core[refine.stride + i];
         let r = turn(q * inverseSqrt(dot(q, q)));
-        let n = vec3(normals(vec2(i, 0u)), normals(vec2(i, 1u)).x);
+        let n = vec3(normals(refine.seed.xy ^ vec2(i, 0u)), normals(refine.seed.xy ^ vec2(i, 1u)).x);
         let offset = r * (exp(s.xyz) * n);
         core[i] += vec4(offset, 0.0);
         core[2u * refine.stride + i] = s - vec4(vec3(0.47000363), 0.0);

@@ -33,6 +33,19 @@ fn step_core(at: u32, value: vec4<f32>, gradient: vec4<f32>, rate: vec4<f32>, c:
     return moved;
 }
 
+// MCMC's noise (Kheradmand et al. 2024): along the Gaussian's own shape, the fainter the harder.
+fn disturbed(i: u32, place: vec4<f32>, form: vec4<f32>, size: vec3<f32>) -> vec4<f32> {
+    let o = 1.0 / (1.0 + exp(-clamp(place.w, -80.0, 80.0)));
+    let gate = 1.0 / (1.0 + exp(100.0 * (o - 0.005)));
+    let n = vec3(normals(now.more_words.xy ^ vec2(i, 0u)), normals(now.more_words.xy ^ vec2(i, 1u)).x);
+    let r = turn(form * inverseSqrt(dot(form, form)));
+    let push = now.more_rates.w * gate * (r * (exp(2.0 * size) * (n * r)));
+    if (finite(dot(push, vec3(1.0)))) {
+        return place + vec4(push, 0.0);
+    }
+    return place;
+}
+
 fn step_harmonics(at: u32, value: vec4<f32>, gradient: vec4<f32>, rate: vec4<f32>, c: vec2<f32>) {
     let m = BETA1 * harmonics_m[at] + (1.0 - BETA1) * gradient;
     let v = BETA2 * harmonics_v[at] + (1.0 - BETA2) * gradient * gradient;
@@ -84,9 +97,12 @@ fn main(
                 let opacity = g.opacity + now.loss.z * share * o * (1.0 - o);
                 let scale = g.scale + now.loss.w * share / 3.0 * exp(s0.xyz);
                 let r = now.rates;
-                step_core(i, c0, vec4(g.position, opacity), vec4(r.xxx, r.y), c);
-                step_core(stride + i, q0, g.rotation, vec4(r.z), c);
-                step_core(2u * stride + i, s0, vec4(scale, 0.0), vec4(r.www, 0.0), c);
+                let place = step_core(i, c0, vec4(g.position, opacity), vec4(r.xxx, r.y), c);
+                let form = step_core(stride + i, q0, g.rotation, vec4(r.z), c);
+                let size = step_core(2u * stride + i, s0, vec4(scale, 0.0), vec4(r.www, 0.0), c);
+                if (now.more_rates.w != 0.0) {
+                    core[i] = disturbed(i, place, form, size.xyz);
+                }
                 core_moments[2u * stride + i].w = t;
                 let flat_ = now.more_rates.x;
                 let more = now.more_rates.y;

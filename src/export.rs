@@ -7,9 +7,10 @@ use orb_formats::{File, Image, cdb, collada, kmz, openflight, ply, sgi};
 use crate::audit::{Marking, inband};
 use crate::geo::Placement;
 use crate::mesh::{self, Level};
-use crate::pipeline::Reconstruction;
+use crate::models::scene::Subject;
+use crate::pipeline::{Fitted, Reconstruction};
 use crate::preview::{self, Tile};
-use crate::splat::{Camera, Gaussians};
+use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, views};
 
 /// The move from the unit frame to the subject frame: p → scale · (p − base).
@@ -90,7 +91,21 @@ pub fn gaussians_ply(
         format!("scale source: {}", labels.scale_source),
         format!("unit frame: centre {} {} {} m, radius {} m", centre.x, centre.y, centre.z, to_metres.scale),
     ];
-    let g = to_metres.gaussians(g);
+    ply_file(path, to_metres.gaussians(g), &comments)
+}
+
+/// Gaussians of the unit frame as `scene.ply`, neither placed nor scaled, the marking first in the header.
+pub fn unit_ply(g: &Gaussians, marking: Marking) -> Result<File> {
+    let comments = [
+        marking.line(),
+        "frame: unit, right-handed, Z up, +Y where the camera pointed, the subject's bounding sphere of radius 1"
+            .into(),
+        "not placed, not scaled".into(),
+    ];
+    ply_file("scene.ply", g.clone(), &comments)
+}
+
+fn ply_file(path: &str, g: Gaussians, comments: &[String]) -> Result<File> {
     let splats = ply::Splats {
         positions: g.positions.iter().map(|p| p.to_array()).collect(),
         log_scales: g.log_scales.iter().map(|s| s.to_array()).collect(),
@@ -98,7 +113,7 @@ pub fn gaussians_ply(
         logit_opacities: g.logit_opacities,
         sh: g.sh,
     };
-    let bytes = ply::write(&splats, &comments).map_err(format_error)?;
+    let bytes = ply::write(&splats, comments).map_err(format_error)?;
     Ok(File { path: path.into(), bytes, media_type: "application/ply" })
 }
 
@@ -223,17 +238,7 @@ fn to_north(mesh: &orb_formats::Mesh, heading: f64) -> orb_formats::Mesh {
 
 /// Photo, mask and depth; the six views; the model turned; its levels.
 pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Result<Vec<u8>> {
-    let small = image::imageops::thumbnail(photo, fitted(photo, 0), fitted(photo, 1));
-    let tile = |image: RgbImage, caption: &str| Tile { image, caption: caption.into() };
-    let what = vec![
-        tile(small.clone(), "photo"),
-        tile(preview::masked(&small, &r.subject.mask), "subject mask"),
-        tile(preview::depth_colours(&r.subject.depth, &r.subject.mask), "relative depth"),
-    ];
-    let six = r.six.iter().zip(views::SIX_AZIMUTHS).map(|((camera, f), azimuth)| {
-        let image = preview::from_floats(camera.width as usize, camera.height as usize, &f.color);
-        tile(image, &format!("view {azimuth}"))
-    });
+    let [what, six] = seen_rows(photo, &r.subject, &r.six);
     let finest = &r.model.levels[0];
     let draw =
         |level: &Level, camera: &Camera| mesh::raster(&level.mesh, Some(&level.texture), camera, [255, 255, 255], 2);
@@ -249,8 +254,39 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Re
         let caption = format!("{} vertices", level.mesh.positions.len());
         last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
     }
-    let sheet = preview::sheet(&[what, six.collect(), turned.collect(), last], marking.banner());
+    let sheet = preview::sheet(&[what, six, turned.collect(), last], marking.banner());
     marked_png(&sheet.into(), marking)
+}
+
+/// The same of a photo that no mesh was made of: the Gaussians turned.
+pub fn fitted_png(photo: &RgbImage, f: &Fitted, marking: Marking) -> Result<Vec<u8>> {
+    let [what, six] = seen_rows(photo, &f.subject, &f.six);
+    let turned = (0..6).map(|i| {
+        let azimuth = 60.0 * i as f32;
+        let frame = splat::render(&f.gaussians, &views::orbit(azimuth, 15.0, views::DISTANCE, 384), [1.0; 3]);
+        let image = preview::from_floats(frame.width, frame.height, &frame.color);
+        tile(image, &format!("Gaussians {azimuth}"))
+    });
+    marked_png(&preview::sheet(&[what, six, turned.collect()], marking.banner()).into(), marking)
+}
+
+fn tile(image: RgbImage, caption: &str) -> Tile {
+    Tile { image, caption: caption.into() }
+}
+
+/// What went in and what the networks saw; the six views.
+fn seen_rows(photo: &RgbImage, subject: &Subject, six: &[(Camera, Frame)]) -> [Vec<Tile>; 2] {
+    let small = image::imageops::thumbnail(photo, fitted(photo, 0), fitted(photo, 1));
+    let what = vec![
+        tile(small.clone(), "photo"),
+        tile(preview::masked(&small, &subject.mask), "subject mask"),
+        tile(preview::depth_colours(&subject.depth, &subject.mask), "relative depth"),
+    ];
+    let six = six.iter().zip(views::SIX_AZIMUTHS).map(|((camera, f), azimuth)| {
+        let image = preview::from_floats(camera.width as usize, camera.height as usize, &f.color);
+        tile(image, &format!("view {azimuth}"))
+    });
+    [what, six.collect()]
 }
 
 /// Width (0) or height (1) of the photo brought down to the preview's size.

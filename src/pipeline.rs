@@ -76,7 +76,30 @@ pub struct Reconstruction {
     pub sources: sources::Outcome,
 }
 
-/// Stages 2 to 5. `sources` says what takes the place of the built-in networks, which run on `engine`.
+/// What stages 2 to 4 make of one photo, in the unit frame.
+pub struct Fitted {
+    pub subject: Subject,
+    pub prior: OneView,
+    pub symmetry: Symmetry,
+    pub six: Vec<(Camera, Frame)>,
+    pub gaussians: Gaussians,
+    pub report: Report,
+    /// What took the built-in networks' place.
+    pub sources: sources::Outcome,
+    /// One a target: the photo's, then the mirrored photo's where there is one.
+    cameras: Vec<Camera>,
+    mirrored: Option<MirroredPhoto>,
+    clock: Clock,
+}
+
+impl Fitted {
+    pub fn timings(&self) -> &[Timing] {
+        &self.clock.timings
+    }
+}
+
+/// Stages 2 to 5. `sources` says what takes the place of the built-in networks, which run on `engine`; `fitter` is where
+/// the Gaussians are optimised.
 ///
 /// # Errors
 /// `Usage` for a photo without a subject, `Cancelled`.
@@ -88,6 +111,52 @@ pub fn reconstruct(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Reconstruction> {
+    let fitted = fit(photo, engine, sources, fitter, settings, progress)?;
+    let Fitted { gaussians, prior, mirrored, cameras, mut clock, .. } = fitted;
+    let mut photos =
+        vec![mesh::PhotoView { mirrored: false, camera: cameras[0], color: &prior.colour, mask: &prior.mask.data }];
+    photos.extend(mirrored.as_ref().map(|m| mesh::PhotoView {
+        mirrored: true,
+        camera: cameras[1],
+        color: &m.color,
+        mask: &m.mask,
+    }));
+    let render = |camera: &Camera| {
+        let frame = splat::render(&gaussians, camera, GREY);
+        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    };
+    let options = mesh::Options {
+        levels: settings.levels,
+        background: GREY,
+        ..mesh::Options::sized(settings.triangles, settings.texture)
+    };
+    let model = mesh::build(&render, &photos, &options, progress)?;
+    clock.lap("mesh and texture");
+    Ok(Reconstruction {
+        subject: fitted.subject,
+        symmetry: fitted.symmetry,
+        six: fitted.six,
+        gaussians,
+        report: fitted.report,
+        model,
+        timings: clock.timings,
+        prior,
+        sources: fitted.sources,
+    })
+}
+
+/// Stages 2 to 4: Gaussians, no mesh.
+///
+/// # Errors
+/// As [`reconstruct`].
+pub fn fit(
+    photo: &Photo,
+    engine: &dyn Engine,
+    sources: &Sources,
+    fitter: splat::Engine,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Fitted> {
     let mut clock = Clock::new();
     let mut outcome = sources::Outcome::default();
     // Each network is loaded when its turn comes and gone before the next.
@@ -151,40 +220,17 @@ pub fn reconstruct(
     let trained = optimise(fitter, &one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
     clock.lap("optimisation");
 
-    let mut photos = vec![mesh::PhotoView {
-        mirrored: false,
-        camera: trained.cameras[0],
-        color: &one_view.colour,
-        mask: &one_view.mask.data,
-    }];
-    photos.extend(mirrored.as_ref().map(|m| mesh::PhotoView {
-        mirrored: true,
-        camera: trained.cameras[1],
-        color: &m.color,
-        mask: &m.mask,
-    }));
-    let gaussians = trained.gaussians;
-    let render = |camera: &Camera| {
-        let frame = splat::render(&gaussians, camera, GREY);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
-    let options = mesh::Options {
-        levels: settings.levels,
-        background: GREY,
-        ..mesh::Options::sized(settings.triangles, settings.texture)
-    };
-    let model = mesh::build(&render, &photos, &options, progress)?;
-    clock.lap("mesh and texture");
-    Ok(Reconstruction {
+    Ok(Fitted {
         subject,
         symmetry: Symmetry { fit, applied: applied.is_some() },
         six,
-        gaussians,
+        gaussians: trained.gaussians,
         report: trained.report,
-        model,
-        timings: clock.timings,
-        prior: one_view,
         sources: outcome,
+        cameras: trained.cameras,
+        mirrored,
+        prior: one_view,
+        clock,
     })
 }
 

@@ -14,6 +14,18 @@ pub enum Device {
 }
 
 impl Device {
+    /// As [`Device::open`], silent where the CPU is taken for want of a GPU.
+    ///
+    /// Errors: as [`Device::open`].
+    pub fn open_quietly(self, say: &mut dyn FnMut(&str)) -> Result<Option<Gpu>> {
+        let mut lines = Vec::new();
+        let gpu = self.open(&mut |line| lines.push(line.to_owned()))?;
+        if gpu.is_some() {
+            lines.iter().for_each(|line| say(line));
+        }
+        Ok(gpu)
+    }
+
     /// The GPU to work on, None for the CPU. `say` gets one line on what was chosen or passed over, and why.
     ///
     /// Errors: environment, when a GPU was insisted on and none opens.

@@ -17,6 +17,7 @@ use clap::{Args, ValueEnum};
 use orb_formats::cdb;
 
 use super::bar::Bar;
+use super::device::Device;
 use super::networks::{self, NetworkArgs};
 use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
@@ -29,7 +30,7 @@ use crate::photo;
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
 use crate::sources::Outcome;
-use crate::{Error, Result, symmetry};
+use crate::{Error, Result, splat, symmetry};
 
 /// What to publish beside `scene.ply`, `preview.png` and the record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -51,12 +52,6 @@ pub enum Quality {
     Standard,
     /// As long as it takes.
     High,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Device {
-    Auto,
-    Cpu,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -183,14 +178,14 @@ pub struct GeoArgs {
 
 /// What keeps a run inside its time.
 #[derive(Clone, Copy)]
-struct TimeLimits {
+pub(super) struct TimeLimits {
     /// For the optimisation; decides the number of steps beforehand.
-    optimise: Duration,
+    pub optimise: Duration,
     /// End of the optimisation, from the start of the run: for machines that slow down on the way.
-    latest: Duration,
+    pub latest: Duration,
 }
 
-fn time_limits(quality: Quality) -> Option<TimeLimits> {
+pub(super) fn time_limits(quality: Quality) -> Option<TimeLimits> {
     let limits = |optimise, latest| {
         Some(TimeLimits { optimise: Duration::from_secs(optimise), latest: Duration::from_secs(latest) })
     };
@@ -203,7 +198,7 @@ fn time_limits(quality: Quality) -> Option<TimeLimits> {
 
 /// Optimisation steps wanted on a machine with so many threads. Where they fit the time, like machines do the same
 /// number, and two runs are alike.
-fn steps(quality: Quality, threads: usize) -> u32 {
+pub(super) fn steps(quality: Quality, threads: usize) -> u32 {
     let share = (threads as f64 / 2.0).clamp(0.5, 8.0);
     match quality {
         Quality::Draft => (250.0 * share) as u32,
@@ -261,7 +256,7 @@ fn feature_code(text: &str) -> Result<(String, u16)> {
 }
 
 /// The photo's name without its extension: letters, digits, `_` and `-`, 24 at most, first two alphanumeric.
-fn safe_stem(photo: &Path) -> String {
+pub(super) fn safe_stem(photo: &Path) -> String {
     let name = photo.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let keep = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
     let safe: String = name.chars().map(keep).take(24).collect();
@@ -304,10 +299,17 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
 
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut say = |line: &str| {
+        if !args.quiet {
+            eprintln!("orb: {line}");
+        }
+    };
+    let gpu = args.device.open_quietly(&mut say)?;
+    let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
     // Who names a number of steps gets them, however long they take.
     let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, threads)),
+        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, if gpu.is_some() { 8 } else { threads })),
         optimise_within: limits.map(|l| l.optimise),
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
@@ -318,13 +320,8 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
     let bar = Bar::new(stop, args.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-    let mut say = |line: &str| {
-        if !args.quiet {
-            eprintln!("orb: {line}");
-        }
-    };
     let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
-    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, crate::splat::Engine::Cpu, &settings, &bar)?;
+    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();
@@ -401,7 +398,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
 }
 
 /// The whole file, its size looked at first.
-fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
+pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
     let size = std::fs::metadata(path).map_err(|e| Error::io(path, &e).advice("Check the photo's path."))?.len();
     if size > limit {
         return Err(Error::usage(path.display().to_string())
@@ -459,7 +456,7 @@ fn write_cdb(
 }
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
-fn models(outcome: &Outcome) -> Vec<Model> {
+pub(super) fn models(outcome: &Outcome) -> Vec<Model> {
     let mut all = Vec::from(
         [&prior::SCENE, &prior::SPLAT]
             .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
@@ -499,7 +496,7 @@ fn params(
     let mut all = BTreeMap::from([
         ("seed".into(), text(args.seed.to_string())),
         ("formats".into(), text(formats.join(","))),
-        ("device".into(), text("cpu".into())),
+        ("device".into(), text(done.report.device.clone())),
         ("lods".into(), Param::Int(settings.levels as i64)),
         ("iterations_planned".into(), Param::Int(settings.iterations.into())),
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),

@@ -9,6 +9,7 @@ pub mod doctor;
 pub mod geo;
 pub mod models;
 pub mod networks;
+pub mod reconstruct;
 pub mod render;
 mod sealed;
 mod summary;
@@ -35,6 +36,8 @@ struct Cli {
 enum Verb {
     /// Turn a photo into a placed, marked, sealed model.
     Geo(Box<geo::GeoArgs>),
+    /// Turn a photo into Gaussians alone: neither meshed nor placed.
+    Reconstruct(reconstruct::Reconstruct),
     /// Draw a splat (PLY) from cameras, on the GPU where there is one.
     Render(render::Render),
     /// Measure this machine.
@@ -76,12 +79,14 @@ pub fn main() -> ExitCode {
     }
     let command = match &cli.verb {
         Verb::Geo(_) => Some("orb geo"),
+        Verb::Reconstruct(_) => Some("orb reconstruct"),
         Verb::Render(_) => Some("orb render"),
         Verb::Models(_) => Some("orb models"),
         Verb::Bench(_) | Verb::Doctor(_) | Verb::Audit(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
+        Verb::Reconstruct(args) => reconstruct::run(&args, &stop),
         Verb::Render(args) => render::publish(&args, &stop),
         Verb::Bench(Bench::Speed(args)) => {
             let bar = bar::Bar::new(&stop, false);

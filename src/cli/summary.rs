@@ -205,7 +205,7 @@ pub fn json(s: &Summary) -> Result<String> {
         "seconds": s.total.as_secs_f64(),
         "peak_memory_bytes": peak_memory(s),
         "models": models,
-        "device": "cpu",
+        "device": s.done.report.device,
         "georeference": {
             "latitude": o.latitude, "longitude": o.longitude, "ellipsoidal_height_m": o.height,
             "heading_deg": placement.heading, "heading_source": placement.heading_source.label(),

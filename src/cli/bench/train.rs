@@ -41,9 +41,12 @@ pub struct Train {
     pub gaussians: u32,
     #[arg(long, default_value_t = 7000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub iterations: u32,
-    /// Most Gaussians.
+    /// Most Gaussians. Default: a million of a splat, a third more than the points of a list.
     #[arg(long)]
     pub most: Option<usize>,
+    /// MCMC in place of the paper's clone, split and prune.
+    #[arg(long)]
+    pub mcmc: bool,
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
     #[arg(long, value_enum, default_value_t)]
@@ -58,13 +61,20 @@ pub struct Train {
 /// Errors: usage for files that cannot be read; environment from the GPU.
 pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> Result<String> {
     let gpu = args.device.open(say)?;
-    let (targets, start, mut options) = match &args.transforms {
+    let (targets, mut start, mut options) = match &args.transforms {
         Some(list) => pictures(args, list)?,
         None => drawn(args)?,
     };
     options.seed = args.seed;
+    if args.mcmc {
+        options = options.with_mcmc();
+    }
     if let Some(most) = args.most {
         options.density.max_gaussians = most;
+    }
+    if args.mcmc {
+        // As gsplat starts it.
+        start.logit_opacities.fill(0.0);
     }
     let engine = gpu.as_ref().map_or(Engine::Cpu, Engine::Gpu);
     let trained = splat::train(engine, start, &targets, &options, progress)?;
@@ -132,11 +142,13 @@ fn pictures(args: &Train, list: &std::path::Path) -> Result<(Vec<Target>, Gaussi
     };
     let middle = targets.iter().map(|t| t.camera.position()).sum::<Vec3>() / targets.len() as f32;
     let far = targets.iter().map(|t| t.camera.position().distance(middle)).fold(0.0, f32::max);
+    let start = nerf::gaussians(points);
     let mut options = Options { scene_extent: 1.1 * far, ..Options::scaled(args.iterations as usize) };
+    options.density.max_gaussians = start.len() * 4 / 3;
     if !alpha {
         options.behind = Behind::Fixed([0.0; 3]);
     }
-    Ok((targets, nerf::gaussians(points), options))
+    Ok((targets, start, options))
 }
 
 /// Pictures of a splat over black, and Gaussians at some of its places, disturbed: the paper's small case.
@@ -229,6 +241,7 @@ mod tests {
             gaussians: 200,
             iterations: 5,
             most: Some(300),
+            mcmc: false,
             seed: 3,
             device: Device::Cpu,
             json: true,

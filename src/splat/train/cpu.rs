@@ -3,7 +3,8 @@
 use std::time::Instant;
 
 use super::loss::{Loss, Wanted};
-use super::{Advanced, Checkpoint, Options, Seconds, Target, adam, density, random, schedule, update};
+use super::{Advanced, Checkpoint, Options, Seconds, Strategy, Target};
+use super::{adam, density, mcmc, random, schedule, update};
 use crate::Result;
 use crate::progress::Progress;
 use crate::splat::render::Raster;
@@ -71,9 +72,14 @@ pub fn advance(
         seconds.loss += lap();
         raster.backward(&loss.tiles);
         seconds.backward += lap();
-        let rates = options.lane_rates(iteration);
-        let pose_gradient =
-            update::update(&raster, &view, degree, &rates, &corrections, &mut gaussians, &mut moments, &mut statistics);
+        let how = update::How {
+            degree,
+            rates: options.lane_rates(iteration),
+            corrections: &corrections,
+            noise: options.noise(iteration),
+            regulariser: options.regulariser() / gaussians.len().max(1) as f32,
+        };
+        let pose_gradient = update::update(&raster, &view, &how, &mut gaussians, &mut moments, &mut statistics);
         if target.refine_pose && iteration >= options.pose_from {
             let distance = cameras[turn].translation.length();
             poses[turn].step(&mut cameras[turn], pose_gradient, options.rates.pose, distance);
@@ -83,7 +89,12 @@ pub fn advance(
         if options.refines_after(done) {
             let mut random = random::Random::new(options.seed ^ random::hash(done as u64));
             let d = &options.density;
-            density::refine(&mut gaussians, &mut moments, &mut statistics, d, options.scene_extent, &mut random);
+            match d.strategy {
+                Strategy::Paper => {
+                    density::refine(&mut gaussians, &mut moments, &mut statistics, d, options.scene_extent, &mut random)
+                }
+                Strategy::Mcmc => mcmc::relocate(&mut gaussians, &mut moments, &mut statistics, d, &mut random),
+            }
         }
         if options.resets_after(done) {
             density::reset_opacity(&mut gaussians, &mut moments, options.density.prune_opacity);

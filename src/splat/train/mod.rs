@@ -5,6 +5,7 @@ mod cpu;
 mod density;
 pub mod gpu;
 mod loss;
+mod mcmc;
 mod pose;
 mod quality;
 pub(crate) mod random;
@@ -16,7 +17,7 @@ mod update;
 use std::time::Instant;
 
 pub use quality::Quality;
-pub use schedule::{Behind, Density, Options, Rates};
+pub use schedule::{Behind, Density, Options, Rates, Strategy};
 
 use super::packed::Packed;
 use super::render::Raster;
@@ -60,6 +61,8 @@ pub struct Report {
     pub seconds: Seconds,
     /// Most bytes of GPU buffers at one time; 0 on the CPU.
     pub peak_bytes: u64,
+    /// "cpu", or "gpu" with the adapter's name.
+    pub device: String,
 }
 
 #[derive(Clone, Debug)]
@@ -208,6 +211,10 @@ pub fn train(
             .collect(),
         seconds: Seconds { measure: measured.as_secs_f64(), ..done.seconds },
         peak_bytes: done.peak_bytes,
+        device: match engine {
+            Engine::Cpu => "cpu".into(),
+            Engine::Gpu(gpu) => format!("gpu {} ({})", gpu.adapter.name, gpu.adapter.backend),
+        },
     };
     Ok(Trained { gaussians: end.gaussians.unpack(), cameras: end.cameras, report })
 }

@@ -25,9 +25,20 @@ pub struct Rates {
     pub final_share: f32,
 }
 
-/// Adaptive density control.
+/// How the number of Gaussians is controlled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Strategy {
+    /// Clone, split, prune, reset (Kerbl et al. 2023).
+    #[default]
+    Paper,
+    /// Move the dead, add a few, disturb the faint (Kheradmand et al. 2024): never more than the cap.
+    Mcmc,
+}
+
+/// Density control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Density {
+    pub strategy: Strategy,
     pub every: usize,
     pub from: usize,
     pub until: usize,
@@ -36,7 +47,7 @@ pub struct Density {
     /// Times the scene's extent: larger ones are split, smaller ones cloned.
     pub split_scale: f32,
     pub prune_opacity: f32,
-    /// At most this share of the Gaussians is cloned or split in one round.
+    /// At most this share of the Gaussians is cloned or split in one round, or is added by MCMC.
     pub growth: f32,
     pub max_gaussians: usize,
     /// Opacities are brought down this often; 0: never.
@@ -87,6 +98,7 @@ impl Default for Options {
             first_degree: 0,
             sh_degree_every: 1000,
             density: Density {
+                strategy: Strategy::Paper,
                 every: 100,
                 from: 500,
                 until: 15_000,
@@ -176,6 +188,28 @@ impl Options {
 
     pub(super) fn degree(&self, iteration: usize) -> usize {
         (self.first_degree + iteration / self.sh_degree_every.max(1)).min(3)
+    }
+
+    /// The same with MCMC in place of the paper's density control, with gsplat's numbers.
+    pub fn with_mcmc(self) -> Self {
+        let density = Density { strategy: Strategy::Mcmc, growth: 0.05, until: 25_000, reset_every: 0, ..self.density };
+        Options { density, ..self }
+    }
+
+    /// MCMC's noise in one iteration: its factor and its seed. 0: none.
+    pub(super) fn noise(&self, iteration: usize) -> (f32, u64) {
+        match self.density.strategy {
+            Strategy::Paper => (0.0, 0),
+            Strategy::Mcmc => {
+                let seed = hash(self.seed ^ hash(!(iteration as u64)));
+                (super::mcmc::NOISE * self.rates_at(iteration).position, seed)
+            }
+        }
+    }
+
+    /// Weight of mean opacity and mean scale in the loss.
+    pub(super) fn regulariser(&self) -> f32 {
+        if self.density.strategy == Strategy::Mcmc { super::mcmc::REGULARISER } else { 0.0 }
     }
 
     /// Whether density control is due when so many iterations are done.

@@ -4,7 +4,9 @@ use rayon::prelude::*;
 
 use super::adam::{LaneRates, Moments, step};
 use super::density::Statistics;
-use crate::splat::packed::{Core, Packed, Sh};
+use super::mcmc;
+use super::random::hash;
+use crate::splat::packed::{Core, OPACITY, Packed, SCALE, Sh};
 use crate::splat::render::Raster;
 use crate::splat::render::projection::{View, backward};
 use crate::splat::simd::{Kernel, Simd, dispatch};
@@ -12,12 +14,22 @@ use crate::splat::simd::{Kernel, Simd, dispatch};
 /// Gaussians a parallel job; fixed, so that sums do not depend on the number of threads.
 const CHUNK: usize = 512;
 
+/// One iteration's numbers.
+pub struct How<'a> {
+    pub degree: usize,
+    pub rates: LaneRates,
+    /// Adam's, by the step.
+    pub corrections: &'a [[f32; 2]],
+    /// MCMC's: factor and seed.
+    pub noise: (f32, u64),
+    /// MCMC's, a Gaussian.
+    pub regulariser: f32,
+}
+
 struct Chunk<'a> {
     raster: &'a Raster,
     view: &'a View,
-    degree: usize,
-    rates: &'a LaneRates,
-    corrections: &'a [[f32; 2]],
+    how: &'a How<'a>,
     start: usize,
     core: &'a mut [Core],
     sh: &'a mut [Sh],
@@ -36,7 +48,8 @@ impl Kernel for Chunk<'_> {
         let half = [self.view.width as f32 * 0.5, self.view.height as f32 * 0.5];
         for i in 0..self.core.len() {
             let Some(up) = self.raster.gradient_of(self.start + i) else { continue };
-            let Some(g) = backward(&self.core[i], &self.sh[i], self.view, self.degree, &up) else { continue };
+            let how = self.how;
+            let Some(mut g) = backward(&self.core[i], &self.sh[i], self.view, how.degree, &up) else { continue };
             if !g.core.iter().chain(&up.color).fold(0.0, |a, b| a + b).is_finite() {
                 continue;
             }
@@ -47,24 +60,31 @@ impl Kernel for Chunk<'_> {
             self.seen[i][0] += (x * x + y * y).sqrt();
             self.seen[i][1] += 1.0;
             self.steps[i] += 1;
-            let correction = self.corrections[(self.steps[i] as usize).min(self.corrections.len() - 1)];
+            let correction = how.corrections[(self.steps[i] as usize).min(how.corrections.len() - 1)];
+            if how.regulariser > 0.0 {
+                let o = 1.0 / (1.0 + (-self.core[i][OPACITY]).exp());
+                g.core[OPACITY] += how.regulariser * o * (1.0 - o);
+                for k in SCALE..SCALE + 3 {
+                    g.core[k] += how.regulariser / 3.0 * self.core[i][k].exp();
+                }
+            }
             let [m, v] = &mut self.core_moments[i];
-            step(s, &mut self.core[i], (m, v), &g.core, &self.rates.core, correction);
+            step(s, &mut self.core[i], (m, v), &g.core, &how.rates.core, correction);
             let [m, v] = &mut self.sh_moments[i];
-            step(s, &mut self.sh[i], (m, v), &g.sh, &self.rates.sh, correction);
+            step(s, &mut self.sh[i], (m, v), &g.sh, &how.rates.sh, correction);
+            if how.noise.0 > 0.0 {
+                mcmc::disturb(&mut self.core[i], how.noise.0, how.noise.1 ^ hash((self.start + i) as u64));
+            }
         }
         pose
     }
 }
 
 /// Steps every Gaussian that the last backward pass reached; gives the gradient of the camera's pose.
-#[expect(clippy::too_many_arguments)]
 pub fn update(
     raster: &Raster,
     view: &View,
-    degree: usize,
-    rates: &LaneRates,
-    corrections: &[[f32; 2]],
+    how: &How,
     gaussians: &mut Packed,
     moments: &mut Moments,
     statistics: &mut Statistics,
@@ -78,20 +98,7 @@ pub fn update(
         .enumerate()
         .map(|(c, (((core, sh), (core_moments, sh_moments)), (steps, seen)))| {
             let start = c * CHUNK;
-            dispatch(Chunk {
-                raster,
-                view,
-                degree,
-                rates,
-                corrections,
-                start,
-                core,
-                sh,
-                core_moments,
-                sh_moments,
-                steps,
-                seen,
-            })
+            dispatch(Chunk { raster, view, how, start, core, sh, core_moments, sh_moments, steps, seen })
         })
         .collect();
     poses.iter().fold([0.0; 6], |sum, p| std::array::from_fn(|i| sum[i] + p[i]))

@@ -3,14 +3,15 @@
 use bytemuck::{Pod, Zeroable, pod_read_unaligned};
 use wgpu::{Buffer, ComputePipeline};
 
+use super::mcmc;
 use super::run::Run;
 use super::table::halves;
 use crate::Result;
 use crate::splat::render::gpu::kernel::{Binding, Size, Step, group, read};
 use crate::splat::render::gpu::sort::{self, First, Request};
 use crate::splat::render::gpu::{Gpu, SCAN_BLOCK};
-use crate::splat::train::Options;
 use crate::splat::train::random::hash;
+use crate::splat::train::{Options, Strategy};
 
 /// shaders/refine.wgsl.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -34,7 +35,10 @@ fn logit(p: f32) -> f32 {
 /// What is due after the iterations done.
 pub fn control(run: &mut Run, options: &Options) -> Result<()> {
     if options.refines_after(run.done) {
-        refine(run, options)?;
+        match options.density.strategy {
+            Strategy::Paper => refine(run, options)?,
+            Strategy::Mcmc => mcmc::relocate(run, options)?,
+        }
     }
     if options.resets_after(run.done) {
         let parameters = run.gpu.uniform(&parameters(run, options));
@@ -63,16 +67,16 @@ fn parameters(run: &Run, options: &Options) -> Refine {
     }
 }
 
-fn direct(threads: u32) -> Size {
+pub fn direct(threads: u32) -> Size {
     Size::Direct(threads.div_ceil(256).max(1), 1)
 }
 
-fn bound(gpu: &Gpu, kernel: &ComputePipeline, buffers: &[&Buffer], size: Size) -> Step {
+pub fn bound(gpu: &Gpu, kernel: &ComputePipeline, buffers: &[&Buffer], size: Size) -> Step {
     let bindings: Vec<_> = buffers.iter().map(|b| Binding::Whole(b)).collect();
     Step { kernel: kernel.clone(), groups: vec![group(gpu, kernel, 0, &bindings)], size }
 }
 
-fn submit(gpu: &Gpu, steps: &[Step]) {
+pub fn submit(gpu: &Gpu, steps: &[Step]) {
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     {
         let mut pass = encoder.begin_compute_pass(&Default::default());

@@ -28,6 +28,12 @@ pub struct Kernels {
     pub gather: ComputePipeline,
     pub refine_split: ComputePipeline,
     pub opacity_reset: ComputePipeline,
+    pub mcmc_count: ComputePipeline,
+    pub mcmc_scan: ComputePipeline,
+    pub mcmc_place: ComputePipeline,
+    pub mcmc_draw: ComputePipeline,
+    pub mcmc_share_out: ComputePipeline,
+    pub mcmc_copy: ComputePipeline,
 }
 
 /// How the rasteriser's way back is cut: pixels a thread, or None where only the kernel without subgroups will do.
@@ -92,6 +98,8 @@ impl Kernels {
                     "records",
                     "project_backward",
                     "collect",
+                    "hash",
+                    "normals",
                     "pose_sum",
                     "update"
                 ),
@@ -120,8 +128,14 @@ impl Kernels {
             scan_blocks: plain("scan_blocks", sources!("blocks", "scan_blocks")),
             refine_place: plain("refine_place", sources!("blocks", "refine", "refine_items", "refine_place")),
             gather: plain("gather", sources!("gather")),
-            refine_split: plain("refine_split", sources!("refine", "rotation", "hash", "refine_split")),
+            refine_split: plain("refine_split", sources!("refine", "rotation", "hash", "normals", "refine_split")),
             opacity_reset: plain("opacity_reset", sources!("refine", "opacity_reset")),
+            mcmc_count: plain("mcmc_count", sources!("blocks", "mcmc", "mcmc_share", "mcmc_count")),
+            mcmc_scan: plain("mcmc_scan", sources!("blocks", "mcmc", "mcmc_scan")),
+            mcmc_place: plain("mcmc_place", sources!("blocks", "mcmc", "mcmc_share", "mcmc_place")),
+            mcmc_draw: plain("mcmc_draw", sources!("mcmc", "hash", "mcmc_draw")),
+            mcmc_share_out: plain("mcmc_share_out", sources!("mcmc", "mcmc_share_out")),
+            mcmc_copy: plain("mcmc_copy", sources!("mcmc", "mcmc_copy")),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Training on the GPU: the same schedule as on the CPU, many iterations a submission, nothing read back in between.
 //!
 //! [`model`] holds what changes, [`table`] the schedule, [`iteration`] one iteration's kernels bound to their buffers,
-//! [`run`] submits and watches, [`density`] grows and prunes.
+//! [`run`] submits and watches, [`density`] and [`mcmc`] decide how many
+//! there are.
 //!
 //! No sum is taken atomically but of whole numbers: pairs of tile and Gaussian leave their gradients each at a place of
 //! their own, and a Gaussian's are added in a fixed order. So the same input gives the same bytes on one adapter.
@@ -9,6 +10,7 @@
 mod density;
 mod iteration;
 mod kernels;
+mod mcmc;
 pub mod measure;
 mod model;
 mod run;

@@ -34,13 +34,15 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
             };
             let share = 1.0 / (3 * target.camera.width * target.camera.height) as f32;
             let lambda = options.lambda_dssim;
+            let (noise, noise_seed) = options.noise(iteration);
+            let [low, high] = halves(noise_seed);
             Some(Step {
                 rates: [r.position, r.opacity, r.rotation, r.scale],
-                more_rates: [r.color, r.harmonics, pose, 0.0],
+                more_rates: [r.color, r.harmonics, pose, noise],
                 background,
-                loss: [(1.0 - lambda) * share, -lambda * share, 0.0, 0.0],
+                loss: [(1.0 - lambda) * share, -lambda * share, options.regulariser(), options.regulariser()],
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
-                more_words: [0; 4],
+                more_words: [low, high, 0, 0],
             })
         })
         .collect()

@@ -422,3 +422,23 @@ fn short_lists_halt_and_go_on() {
     assert_eq!(a.report.iterations, 3);
     assert!((a.report.targets[0].after.picture - b.report.targets[0].after.picture).abs() < 0.05);
 }
+
+#[test]
+fn mcmc_grows_to_its_cap_and_learns() {
+    let Some(gpu) = gpu() else { return };
+    let (targets, mut start) = problem(48);
+    start.logit_opacities[..20].fill(-9.0);
+    let mut o = Options::scaled(80).with_mcmc();
+    o.density = Density { every: 10, from: 5, until: 70, growth: 0.2, max_gaussians: 200, ..o.density };
+    for engine in [Engine::Cpu, Engine::Gpu(gpu)] {
+        let one = || train(engine, start.clone(), &targets, &o, &Silent).unwrap();
+        let (a, b) = (one(), one());
+        assert_eq!(a.gaussians, b.gaussians, "same bytes");
+        assert_eq!(a.report.gaussians_after, 200);
+        let dead = a.gaussians.logit_opacities.iter().filter(|l| **l < -5.3).count();
+        assert!(dead < 20, "{dead} dead");
+        for t in &a.report.targets {
+            assert!(t.after.picture > t.before.picture, "{t:?}");
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! `orb reconstruct`: one photo becomes Gaussians, marked and sealed; no mesh, no place on the Earth.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use super::bar::Bar;
+use super::device::Device;
+use super::geo::{self, Quality};
+use super::sealed::{Evidence, SealedRun};
+use crate::audit::statement::Param;
+use crate::audit::{Marking, record, time};
+use crate::models::Rten;
+use crate::pipeline::{self, Settings};
+use crate::progress::Progress;
+use crate::sources::Sources;
+use crate::symmetry::Use;
+use crate::{Result, export, photo, splat};
+
+/// Turn a photo into Gaussians alone: neither meshed nor placed.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Reconstruct {
+    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
+    pub photo: PathBuf,
+    /// Folder to publish; must not exist yet. Default: the photo's name without its extension.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Replace a folder that Orb published earlier.
+    #[arg(long)]
+    pub replace: bool,
+    /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
+    #[arg(long, value_name = "BANNER", default_value = "UNCLASSIFIED")]
+    pub classification: String,
+    /// Signing key (PKCS#8 PEM). Needed for CUI and above.
+    #[arg(long, value_name = "FILE")]
+    pub key: Option<PathBuf>,
+    #[arg(long, value_enum, default_value = "standard")]
+    pub quality: Quality,
+    /// Optimisation steps, in place of what the quality and this machine suggest.
+    #[arg(long, value_name = "N")]
+    pub iterations: Option<u32>,
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Same photo, options, seed and machine: same bytes.
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+    /// No progress, no summary.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Runs the verb. `stop` is set by the interrupt handler.
+///
+/// Errors: as `orb geo`.
+pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
+    let started = Instant::now();
+    let limits = photo::Limits::default();
+    let bytes = geo::read_photo(&args.photo, limits.file_bytes)?;
+    let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let photo = photo::decode(&name, &bytes, &limits)?;
+    let marking = Marking::parse_for_output(&args.classification)?;
+    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(geo::safe_stem(&args.photo)));
+    let mut sealed = SealedRun::begin(&output, args.replace, marking, args.key.as_deref(), args.quiet)?;
+    let gpu = args.device.open_quietly(&mut |line| {
+        if !args.quiet {
+            eprintln!("orb: {line}");
+        }
+    })?;
+    let threads = if gpu.is_some() { 8 } else { std::thread::available_parallelism().map_or(1, usize::from) };
+    let time_limits = if args.iterations.is_some() { None } else { geo::time_limits(args.quality) };
+    let settings = Settings {
+        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, threads)),
+        optimise_within: time_limits.map(|l| l.optimise),
+        deadline: time_limits.map(|l| started + l.latest),
+        seed: args.seed,
+        levels: 1,
+        symmetry: Use::Auto,
+    };
+    let bar = Bar::new(stop, args.quiet);
+    let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
+    let done = pipeline::fit(&photo, &Rten, &Sources::default(), fitter, &settings, &bar)?;
+    bar.begin("writing and sealing", 0);
+    let scene = export::unit_ply(&done.gaussians, marking)?;
+    sealed.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
+    let preview = export::fitted_png(&photo.pixels, &done, marking)?;
+    sealed.publication.add("preview.png", &preview, "image/png", "preview")?;
+    bar.check()?;
+    let report = &done.report;
+    let published = sealed.seal(Evidence {
+        event_type: "scene.reconstruct",
+        command: "orb reconstruct",
+        time: time::now()?,
+        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
+        models: geo::models(&done.sources),
+        params: BTreeMap::from([
+            ("seed".into(), Param::Text(args.seed.to_string())),
+            ("device".into(), Param::Text(report.device.clone())),
+            ("iterations_planned".into(), Param::Int(settings.iterations.into())),
+            ("iterations_run".into(), Param::Int(report.iterations as i64)),
+            ("stopped_by_time".into(), Param::Bool(report.stopped_by_deadline)),
+        ]),
+    })?;
+    bar.finish();
+    if !args.quiet {
+        let stages: Vec<String> =
+            done.timings().iter().map(|t| format!("{} {:.1} s", t.stage, t.time.as_secs_f64())).collect();
+        println!(
+            "marking      {}\npublished    {}\nGaussians    {} after {} steps on {}\nstages       {}\nused         {:.1} s",
+            marking.banner(),
+            published.folder.display(),
+            done.gaussians.len(),
+            report.iterations,
+            report.device,
+            stages.join(", "),
+            started.elapsed().as_secs_f64(),
+        );
+    }
+    Ok(0)
+}
