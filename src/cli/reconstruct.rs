@@ -75,6 +75,8 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         deadline: time_limits.map(|l| started + l.latest),
         seed: args.seed,
         levels: 1,
+        triangles: None,
+        texture: 1024,
         symmetry: Use::Auto,
     };
     let bar = Bar::new(stop, args.quiet);

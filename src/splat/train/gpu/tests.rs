@@ -430,6 +430,8 @@ fn mcmc_grows_to_its_cap_and_learns() {
     start.logit_opacities[..20].fill(-9.0);
     let mut o = Options::scaled(80).with_mcmc();
     o.density = Density { every: 10, from: 5, until: 70, growth: 0.2, max_gaussians: 200, ..o.density };
+    // The noise is in proportion: these Gaussians are as large as the subject's parts.
+    (o.rates.position, o.rates.position_final) = (1e-5, 1e-6);
     for engine in [Engine::Cpu, Engine::Gpu(gpu)] {
         let one = || train(engine, start.clone(), &targets, &o, &Silent).unwrap();
         let (a, b) = (one(), one());
