@@ -44,6 +44,15 @@ pub struct Train {
     /// Most Gaussians. Default: a million of a splat, a third more than the points of a list.
     #[arg(long)]
     pub most: Option<usize>,
+    /// Mean pull in normalised device units above which a Gaussian grows. Default: the schedule's.
+    #[arg(long, value_name = "PULL")]
+    pub gradient: Option<f32>,
+    /// No growing after so many iterations. Default: the schedule's.
+    #[arg(long, value_name = "N")]
+    pub until: Option<usize>,
+    /// Share of the position's first step size that is left at the end. Default: the schedule's.
+    #[arg(long, value_name = "SHARE")]
+    pub last_position: Option<f32>,
     /// MCMC in place of the paper's clone, split and prune.
     #[arg(long)]
     pub mcmc: bool,
@@ -66,6 +75,15 @@ pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
         None => drawn(args)?,
     };
     options.seed = args.seed;
+    if let Some(gradient) = args.gradient {
+        options.density.gradient = gradient;
+    }
+    if let Some(until) = args.until {
+        options.density.until = until;
+    }
+    if let Some(share) = args.last_position {
+        options.rates.position_final = share.max(1e-6) * options.rates.position;
+    }
     if args.mcmc {
         options = options.with_mcmc();
     }
@@ -211,12 +229,14 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
         logit_opacities: vec![-2.2; n],
         sh: vec![[[0.0; 3]; SH_COEFFICIENTS]; n],
     };
-    let options = Options {
+    let mut options = Options {
         iterations: args.iterations as usize,
         scene_extent: 5.0,
         behind: Behind::Fixed([0.0; 3]),
         ..Options::default()
     };
+    // As gsplat's side of the comparison has it: the position's step stays what it is.
+    options.rates.position_final = options.rates.position;
     Ok((targets, start, options))
 }
 
@@ -241,6 +261,9 @@ mod tests {
             gaussians: 200,
             iterations: 5,
             most: Some(300),
+            gradient: None,
+            until: None,
+            last_position: None,
             mcmc: false,
             seed: 3,
             device: Device::Cpu,

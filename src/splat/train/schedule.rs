@@ -220,7 +220,9 @@ impl Options {
 
     pub(super) fn resets_after(&self, done: usize) -> bool {
         let d = &self.density;
-        d.reset_every > 0 && done < d.until && done.is_multiple_of(d.reset_every)
+        // What a reset takes has to be won back in the iterations that are left.
+        let left = self.iterations.saturating_sub(done);
+        d.reset_every > 0 && done < d.until && done.is_multiple_of(d.reset_every) && left > d.reset_every
     }
 
     /// The first number of iterations above `done` after which anything but iterations is due.
