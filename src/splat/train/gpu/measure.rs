@@ -90,8 +90,9 @@ pub fn forward_backward(
         wall: median(walls),
         gpu: times.as_ref().map(|t| t.iter().sum()),
         stages: times,
-        // What the step would need besides is there too, but not used.
-        peak_bytes: run.peak - n as u64 * 480 + n as u64 * 248,
+        // What the step would need besides is there too, but not used; and all cameras share one target.
+        peak_bytes: (run.peak + 248 * n as u64)
+            .saturating_sub(480 * n as u64 + 16 * u64::from(width) * u64::from(height) * (cameras.len() as u64 - 1)),
     })
 }
 
