@@ -148,7 +148,7 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
     // What is seen of it from around does not change with small moves.
     let placed = Shape::of_surface(&start.surface(truth));
     let mut move_on = Similarity { turn: Mat3::IDENTITY, scale: 1.0, shift: Vec3::ZERO };
-    for _ in 0..30 {
+    for _ in 0..150 {
         let shape = placed.moved(&move_on);
         let mut pairs: Vec<(Vec3, Vec3)> = Vec::new();
         let step = |n: usize| n.div_ceil(2500).max(1);
@@ -174,6 +174,9 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
         let turn = Mat3::from_rotation_z(sin.atan2(cos));
         let scale = (flat + up) / square.max(1e-9);
         move_on = move_on.then(turn, scale, b - scale * (turn * a));
+        if sin.atan2(cos).abs() < 5e-5 && (scale - 1.0).abs() < 5e-5 {
+            break;
+        }
     }
     start.then(move_on.turn, move_on.scale, move_on.shift)
 }
