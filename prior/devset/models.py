@@ -105,6 +105,18 @@ def load_obj(path):
     return [y_up_to_z_up(from_corners(t, **materials.get(n, {}))) for n, t in groups.items()]
 
 
+def ac3d_material(line):
+    """A MATERIAL line: "name" rgb r g b amb … spec r g b shi n trans t."""
+    numbers = line[line.index(" rgb ") :].split()
+
+    def take(key, count):
+        at = numbers.index(key) + 1
+        return tuple(float(x) for x in numbers[at : at + count])
+
+    gloss = min(1.0, max(take("spec", 3)) * take("shi", 1)[0] / 100)
+    return {"colour": take("rgb", 3), "opacity": 1 - take("trans", 1)[0], "gloss": gloss}
+
+
 def load_ac3d(path, skip=()):
     """AC3D text (http://www.inivis.com/ac3d/man/ac3dfileformat.html); `skip`: name parts of objects to leave out."""
     lines = iter(path.read_text(errors="replace").splitlines())
@@ -158,12 +170,7 @@ def load_ac3d(path, skip=()):
     for line in lines:
         words = line.split()
         if words and words[0] == "MATERIAL":
-            numbers = line[line.index(" rgb ") :].split()
-            value = {k: numbers.index(k) for k in ("rgb", "spec", "shi", "trans")}
-            take = lambda key, n: tuple(float(x) for x in numbers[value[key] + 1 : value[key] + 1 + n])
-            opacity = 1 - take("trans", 1)[0]
-            gloss = min(1.0, max(take("spec", 3)) * take("shi", 1)[0] / 100)
-            materials.append({"colour": take("rgb", 3), "opacity": opacity, "gloss": gloss})
+            materials.append(ac3d_material(line))
         elif words and words[0] == "OBJECT":
             read_object(np.zeros(3), np.eye(3), False)
     parts = []

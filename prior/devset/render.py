@@ -20,10 +20,10 @@ import oidn
 
 mi.set_variant("llvm_ad_rgb")
 
-import fetch  # noqa: E402
-import models  # noqa: E402
-import scenes  # noqa: E402
-from PIL import Image  # noqa: E402
+import fetch
+import models
+import scenes
+from PIL import Image
 
 HERE = Path(__file__).parent
 PHOTO, TRUTH = 512, 256
@@ -49,7 +49,9 @@ def camera(centre, azimuth, elevation, distance, fov, size):
 
 def sensor(to_world, fov, size):
     film = {"type": "hdrfilm", "width": size, "height": size, "pixel_format": "rgba", "rfilter": {"type": "box"}}
-    return mi.load_dict({"type": "perspective", "fov": fov, "near_clip": 0.01, "far_clip": 1e5, "to_world": to_world, "film": film})
+    return mi.load_dict(
+        {"type": "perspective", "fov": fov, "near_clip": 0.01, "far_clip": 1e5, "to_world": to_world, "film": film}
+    )
 
 
 def picture(scene, sensor_, samples, seed):

@@ -2,16 +2,21 @@
 
 import math
 
+import fetch
 import mitsuba as mi
+import models
 import numpy as np
 from PIL import Image
 
-import fetch
-import models
-
 TRANSFORM = mi.ScalarTransform4f
 # Things that stand around outdoors, with their heights in metres. None of them is a subject.
-TREES = [("0ad:art/meshes/gaia/fir_tree_tall_3.dae.cached.pmd", "0ad:art/textures/skins/gaia/tree_fir_tall_1.png.cached.dds", 9)]
+TREES = [
+    (
+        "0ad:art/meshes/gaia/fir_tree_tall_3.dae.cached.pmd",
+        "0ad:art/textures/skins/gaia/tree_fir_tall_1.png.cached.dds",
+        9,
+    )
+]
 HOUSES = [("fg:Buildings/renovated-apartment.ac", None), ("fg:Residential/Detached-1.ac", None),
           ("fg:Buildings/red-barn.ac", None), ("fg:Residential/germansemidetached1.ac", None)]  # fmt: skip
 SCOPIA, KATOR = "sh3d:Scopia/scopia", "sh3d:KatorLegaz/katorlegaz"

@@ -81,7 +81,7 @@ class Truth:
 
 
 def run_orb(orb, arguments):
-    done = subprocess.run([orb, *map(str, arguments)], capture_output=True, text=True)
+    done = subprocess.run([orb, *map(str, arguments)], check=False, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(f"{' '.join(map(str, arguments))}\n{done.stderr.strip()}")
 
@@ -125,17 +125,21 @@ def view_scores(truth, white, alpha):
     }
 
 
+def centroid(weights):
+    """Of a picture of weights: x and y in pixels."""
+    y, x = np.mgrid[: weights.shape[0], : weights.shape[1]] + 0.5
+    return np.array([(weights * x).sum(), (weights * y).sum()]) / weights.sum()
+
+
 def better_place(truth, place, alpha):
     """One Gauss-Newton step of scale and shift towards the true silhouettes: their centroids and areas."""
     rows, values = [], []
     for v, own, true in zip(truth.views, alpha, truth.alpha, strict=True):
         if own.sum() < 20 or true.sum() < 20:
             continue
-        y, x = np.mgrid[: own.shape[0], : own.shape[1]] + 0.5
-        middle = lambda a: np.array([(a * x).sum(), (a * y).sum()]) / a.sum()
         m = np.array(v["w2c_opencv"])
         depth = (m @ [0, 0, truth.size[2] / 2, 1])[2]
-        move = (middle(true) - middle(own)) * depth / v["fx"]
+        move = (centroid(true) - centroid(own)) * depth / v["fx"]
         rows += [[*m[0, :3], 0], [*m[1, :3], 0]]
         values += [*move]
         # A change of size weighs as a move of the silhouette's edge.
@@ -245,7 +249,9 @@ def main():
     parser.add_argument("set", type=Path)
     parser.add_argument("out", type=Path)
     parser.add_argument("names", nargs="*")
-    parser.add_argument("--iterations", type=int, default=900, help="of the optimisation, whatever the machine; 0: network alone")
+    parser.add_argument(
+        "--iterations", type=int, default=900, help="of the optimisation, whatever the machine; 0: network alone"
+    )
     parser.add_argument("--photo", help="only the photos of this name: plain or outdoor")
     parser.add_argument("--true-mask", action="store_true")
     parser.add_argument("--sheet", type=Path)

@@ -67,7 +67,9 @@ def main():
         image.thumbnail((LONGER_SIDE, LONGER_SIDE))
         mask = Image.open(HERE / "masks" / f"{name}.png")
         if image.size != mask.size:
-            raise SystemExit(f"{name}: the photo has {image.size} pixels, its mask {mask.size}: another package version?")
+            raise SystemExit(
+                f"{name}: the photo has {image.size} pixels, its mask {mask.size}: another package version?"
+            )
         image.save(out / f"{name}.jpg", quality=95)
 
 
