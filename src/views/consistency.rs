@@ -2,7 +2,8 @@
 //!
 //! A hull is wider than its body between the views, so a picture of the body does not simply look like the hull. But carved
 //! by the right seventh silhouette the hull still fills all six others, and fills the seventh; from a wrong pose it loses
-//! parts that a view shows, or leaves parts of the seventh empty (C. Hernández, F. Schmitt and R. Cipolla, "Silhouette
+//! parts that a view shows, or leaves parts of the seventh empty. Silhouettes alone trade elevation against zoom: on a plain
+//! box of a truck, with a guess 15° to 22° off, the elevation came out within 2° to 7° (C. Hernández, F. Schmitt and R. Cipolla, "Silhouette
 //! coherence for camera calibration under circular motion", PAMI 2007).
 
 use glam::Vec3;
@@ -22,7 +23,7 @@ const RANGE: (f32, f32) = (-20.0, 60.0);
 /// Where searches begin, beside the guess.
 const STARTS: [f32; 4] = [-5.0, 10.0, 25.0, 45.0];
 /// Cost of a degree away from the guess: decides only where the silhouettes do not.
-const GUESS: f32 = 0.001;
+const GUESS: f32 = 0.0002;
 
 /// Degrees above the horizon; logarithm of the zoom; shift right and down in sides of the photo's square.
 type Pose = [f32; 4];
