@@ -201,7 +201,7 @@ fn store_corners() {
         let mut origin = None;
         for shape in shapes {
             let Some(said) = ask("ogrinfo", &["-al", shape.to_str().unwrap()], "") else { return };
-            let Some(point) = said.lines().find_map(|l| l.trim().strip_prefix("POINT Z (")) else { continue };
+            let Some(point) = said.lines().find_map(|l| l.trim().strip_prefix("POINT ZM (")) else { continue };
             let table = said.lines().find_map(|l| l.trim().strip_prefix("AO1 (Real) = "));
             origin = Some((numbers(point.trim_end_matches(')')), table.and_then(|t| t.trim().parse::<f64>().ok())));
         }

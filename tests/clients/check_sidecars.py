@@ -35,7 +35,7 @@ print(f"ok      pystac  {item.id}: {len(item.assets)} assets, {len(schemas)} sch
 metadata = MD_Metadata(etree.parse(str(one(".iso19115.xml"))).getroot())
 identification = metadata.identification[0]
 codes = {"UNCLASSIFIED": "unclassified", "CUI": "restricted", "SECRET": "secret", "TOP SECRET": "topSecret"}
-classification = identification.classification
+classification = identification.securityconstraints
 assert classification == [codes[marking]], f"{classification}, marked {marking}"
 box = identification.bbox
 assert [float(box.minx), float(box.miny), float(box.maxx), float(box.maxy)] == item.bbox, "another box than the STAC item's"

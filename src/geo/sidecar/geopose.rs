@@ -11,7 +11,7 @@ pub(super) fn write(g: &Georeference) -> String {
     let o = &g.placement.origin;
     pretty(&serde_json::json!({
         "position": {"lat": o.latitude, "lon": o.longitude, "h": o.height},
-        "quaternion": {"x": 0.0, "y": 0.0, "z": -sign * half.sin(), "w": sign * half.cos()},
+        "quaternion": {"x": 0.0, "y": 0.0, "z": 0.0 - sign * half.sin(), "w": sign * half.cos()},
         "uncertainty": deviations(&g.uncertainty),
         "marking": g.banner,
     }))

@@ -27,7 +27,7 @@ pub(super) fn with_model(g: &Georeference, path: &str) -> String {
     let o = &g.placement.origin;
     let model = format!(
         "<Model><altitudeMode>absolute</altitudeMode><Location><longitude>{}</longitude><latitude>{}</latitude>\
-         <altitude>{:.3}</altitude></Location><Orientation><heading>{}</heading><tilt>0</tilt><roll>0</roll></Orientation>\
+         <altitude>{:.6}</altitude></Location><Orientation><heading>{}</heading><tilt>0</tilt><roll>0</roll></Orientation>\
          <Scale><x>1</x><y>1</y><z>1</z></Scale><Link><href>{}</href></Link></Model>",
         o.longitude,
         o.latitude,
