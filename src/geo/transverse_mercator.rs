@@ -36,6 +36,16 @@ const BETA: [f64; 6] = [
     N6 * 20_648_693.0 / 638_668_800.0,
 ];
 
+/// From conformal to geographic latitude (Karney, "On auxiliary latitudes", Survey Review 56, 2024, appendix A).
+const DELTA: [f64; 6] = [
+    2.0 * N - N2 * 2.0 / 3.0 - 2.0 * N3 + N4 * 116.0 / 45.0 + N5 * 26.0 / 45.0 - N6 * 2854.0 / 675.0,
+    N2 * 7.0 / 3.0 - N3 * 8.0 / 5.0 - N4 * 227.0 / 45.0 + N5 * 2704.0 / 315.0 + N6 * 2323.0 / 945.0,
+    N3 * 56.0 / 15.0 - N4 * 136.0 / 35.0 - N5 * 1262.0 / 105.0 + N6 * 73814.0 / 2835.0,
+    N4 * 4279.0 / 630.0 - N5 * 332.0 / 35.0 - N6 * 399_572.0 / 14175.0,
+    N5 * 4174.0 / 315.0 - N6 * 144_838.0 / 6237.0,
+    N6 * 601_676.0 / 22275.0,
+];
+
 /// Of UTM (transverse Mercator) and of UPS (stereographic).
 const UTM_SCALE: f64 = 0.9996;
 const UPS_SCALE: f64 = 0.994;
@@ -46,27 +56,20 @@ fn e() -> f64 {
 
 /// tan of the conformal latitude from tan of the geographic latitude (eq. 7-9).
 fn conformal(tau: f64) -> f64 {
-    let root = tau.hypot(1.0);
+    let root = (1.0 + tau * tau).sqrt();
     let sigma = (e() * (e() * tau / root).atanh()).sinh();
-    tau * sigma.hypot(1.0) - sigma * root
+    tau * (1.0 + sigma * sigma).sqrt() - sigma * root
 }
 
-/// Its inverse by Newton's method (eq. 19-21).
-fn geographic(conformal_tau: f64) -> f64 {
-    if !conformal_tau.is_finite() || conformal_tau.abs() > 1e17 {
-        return conformal_tau;
+/// Geographic latitude, degrees, of the conformal latitude whose sine and cosine stand in this ratio.
+fn geographic(sin: f64, cos: f64) -> f64 {
+    let square = sin * sin + cos * cos;
+    let (s, c) = (2.0 * sin * cos / square, 2.0 * (cos - sin) * (cos + sin) / square);
+    let (mut y1, mut y2) = (0.0, 0.0);
+    for &d in DELTA.iter().rev() {
+        (y1, y2) = (c * y1 - y2 + d, y1);
     }
-    let mut tau = conformal_tau / (1.0 - E2);
-    for _ in 0..5 {
-        let found = conformal(tau);
-        let step =
-            (conformal_tau - found) / found.hypot(1.0) * (1.0 + (1.0 - E2) * tau * tau) / ((1.0 - E2) * tau.hypot(1.0));
-        tau += step;
-        if step.abs() <= 1e-16 * tau.abs().max(1.0) {
-            break;
-        }
-    }
-    tau
+    (sin.atan2(cos) + s * y1).to_degrees()
 }
 
 /// Sum of c_j times the sine of 2j (ξ + iη) by Clenshaw, given sine and cosine of 2ξ and hyperbolic ones of 2η.
@@ -88,9 +91,10 @@ pub fn utm_forward(latitude: f64, longitude_off: f64) -> (f64, f64) {
     let (sin_lat, cos_lat) = sin_cos_degrees(latitude);
     let (sin_lon, cos_lon) = sin_cos_degrees(longitude_off);
     let tau = conformal(sin_lat / cos_lat.max(1e-30));
-    let r = tau.hypot(cos_lon);
+    let r = (tau * tau + cos_lon * cos_lon).sqrt();
     let xi = tau.atan2(cos_lon);
-    let (sinh, cosh) = (sin_lon / r, (sin_lon / r).hypot(1.0));
+    let sinh = sin_lon / r;
+    let cosh = (1.0 + sinh * sinh).sqrt();
     let eta = sinh.asinh();
     let (s, c) = (tau / r, cos_lon / r);
     let doubled = [2.0 * s * c, (c - s) * (c + s), 2.0 * sinh * cosh, 1.0 + 2.0 * sinh * sinh];
@@ -102,13 +106,13 @@ pub fn utm_forward(latitude: f64, longitude_off: f64) -> (f64, f64) {
 pub fn utm_reverse(east: f64, north: f64) -> (f64, f64) {
     let (xi, eta) = (north / (UTM_SCALE * RADIUS), east / (UTM_SCALE * RADIUS));
     let (s, c) = (2.0 * xi).sin_cos();
-    let doubled = [s, c, (2.0 * eta).sinh(), (2.0 * eta).cosh()];
+    let sinh = (2.0 * eta).sinh();
+    let doubled = [s, c, sinh, (1.0 + sinh * sinh).sqrt()];
     let (d_xi, d_eta) = complex_sine_series(&BETA, doubled);
     let (xi, eta) = (xi - d_xi, eta - d_eta);
     let (sin, cos) = xi.sin_cos();
     let sinh = eta.sinh();
-    let tau = geographic(sin / sinh.hypot(cos));
-    (tau.atan().to_degrees(), sinh.atan2(cos).to_degrees())
+    (geographic(sin, (sinh * sinh + cos * cos).sqrt()), sinh.atan2(cos).to_degrees())
 }
 
 /// 2 k₀ a / c of the stereographic projection, c = √((1 + e)^(1 + e) (1 − e)^(1 − e)) (Snyder 1987, eq. 21-33).
@@ -135,7 +139,7 @@ pub fn ups_reverse(north: bool, east: f64, along: f64) -> (f64, f64) {
         90.0
     } else {
         let t = rho / stereographic_scale();
-        geographic((1.0 / t - t) / 2.0).atan().to_degrees()
+        geographic((1.0 - t) * (1.0 + t), 2.0 * t)
     };
     let longitude = if rho == 0.0 { 0.0 } else { east.atan2(down).to_degrees() };
     (if north { latitude } else { -latitude }, longitude)
