@@ -1,8 +1,14 @@
 //! From a reconstruction to placed files: metres, subject frame, formats, preview.
 
+mod atlas;
+mod coarser;
+pub mod import;
+mod model;
+mod scene;
+
 use glam::{Mat3, Vec3};
 use image::RgbImage;
-use orb_formats::{File, Image, cdb, collada, kmz, openflight, ply, sgi};
+use orb_formats::{File, Image, Label, Place, cdb, collada, kmz, openflight, sgi};
 
 use crate::audit::{Marking, inband};
 use crate::geo::Placement;
@@ -12,6 +18,21 @@ use crate::pipeline::{Fitted, Reconstruction};
 use crate::preview::{self, Tile};
 use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, views};
+
+pub use model::{glb, tiles3d, usdz};
+pub use scene::{gaussians_ply, scene_ply, splat_glb, spz, unit_ply};
+
+/// One level of detail in the subject frame, metres.
+#[derive(Clone, Debug)]
+pub struct PlacedLevel {
+    pub mesh: orb_formats::Mesh,
+    /// Sides are powers of two.
+    pub texture: RgbImage,
+    /// Largest distance to the surface that the levels come from.
+    pub error: f64,
+    /// Largest distance to the next coarser level; for the coarsest, its size.
+    pub significant_size: f64,
+}
 
 /// The move from the unit frame to the subject frame: p → scale · (p − base).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,20 +68,20 @@ impl ToMetres {
         }
     }
 
-    fn levels(&self, levels: &[Level]) -> Vec<cdb::Level> {
-        let coarsest_first = levels.iter().rev();
-        coarsest_first
-            .map(|l| cdb::Level {
-                mesh: self.mesh(&l.mesh),
-                significant_size: f64::from(l.error_to_coarser * self.scale),
-                texture: rgb(&l.texture),
-            })
-            .collect()
+    /// Finest first, as given.
+    pub fn levels(&self, levels: &[Level]) -> Vec<PlacedLevel> {
+        let placed = |l: &Level| PlacedLevel {
+            mesh: self.mesh(&l.mesh),
+            texture: l.texture.clone(),
+            error: f64::from(l.error * self.scale),
+            significant_size: f64::from(l.error_to_coarser * self.scale),
+        };
+        levels.iter().map(placed).collect()
     }
 }
 
 /// What every writer is told beside the geometry.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Labels {
     /// The photo's stem, safe for file names.
     pub stem: String,
@@ -71,50 +92,6 @@ pub struct Labels {
     pub fsc: u16,
     pub heading_source: &'static str,
     pub scale_source: &'static str,
-}
-
-/// Gaussians of the unit frame as `path` in metres, the georeference in the header's comments, the marking first.
-pub fn gaussians_ply(
-    path: &str,
-    g: &Gaussians,
-    to_metres: &ToMetres,
-    placement: &Placement,
-    labels: &Labels,
-) -> Result<File> {
-    let o = &placement.origin;
-    let centre = -to_metres.scale * to_metres.base;
-    let comments = [
-        labels.marking.line(),
-        "frame: subject, right-handed, metres, Z up, +Y where the camera pointed, origin on the ground".into(),
-        format!("origin WGS84 latitude {} longitude {} ellipsoidal height {} m", o.latitude, o.longitude, o.height),
-        format!("heading of +Y {} degrees clockwise from true north ({})", placement.heading, labels.heading_source),
-        format!("scale source: {}", labels.scale_source),
-        format!("unit frame: centre {} {} {} m, radius {} m", centre.x, centre.y, centre.z, to_metres.scale),
-    ];
-    ply_file(path, to_metres.gaussians(g), &comments)
-}
-
-/// Gaussians of the unit frame as `scene.ply`, neither placed nor scaled, the marking first in the header.
-pub fn unit_ply(g: &Gaussians, marking: Marking) -> Result<File> {
-    let comments = [
-        marking.line(),
-        "frame: unit, right-handed, Z up, +Y where the camera pointed, the subject's bounding sphere of radius 1"
-            .into(),
-        "not placed, not scaled".into(),
-    ];
-    ply_file("scene.ply", g.clone(), &comments)
-}
-
-fn ply_file(path: &str, g: Gaussians, comments: &[String]) -> Result<File> {
-    let splats = ply::Splats {
-        positions: g.positions.iter().map(|p| p.to_array()).collect(),
-        log_scales: g.log_scales.iter().map(|s| s.to_array()).collect(),
-        rotations: g.rotations,
-        logit_opacities: g.logit_opacities,
-        sh: g.sh,
-    };
-    let bytes = ply::write(&splats, comments).map_err(format_error)?;
-    Ok(File { path: path.into(), bytes, media_type: "application/ply" })
 }
 
 /// What the stages handed on, for who measures them: the subject's mask over the whole photo at working resolution, and
@@ -140,8 +117,13 @@ fn marked_png(image: &image::DynamicImage, marking: Marking) -> Result<Vec<u8>> 
     Ok(inband::mark_png(&bytes.into_inner(), marking))
 }
 
-/// The model for a CDB store; levels coarsest first.
-pub fn gs_model(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels: &Labels) -> cdb::GsModel {
+/// The model for a CDB store; levels finest first.
+pub fn gs_model(levels: &[PlacedLevel], placement: &Placement, labels: &Labels) -> cdb::GsModel {
+    let level = |l: &PlacedLevel| cdb::Level {
+        mesh: l.mesh.clone(),
+        significant_size: l.significant_size,
+        texture: rgb(&l.texture),
+    };
     cdb::GsModel {
         name: labels.stem.clone(),
         facc: labels.facc.clone(),
@@ -150,7 +132,7 @@ pub fn gs_model(levels: &[Level], to_metres: &ToMetres, placement: &Placement, l
         longitude: placement.origin.longitude,
         height: placement.origin.height,
         heading: placement.heading,
-        levels: to_metres.levels(levels),
+        levels: levels.iter().rev().map(level).collect(),
         marking: labels.marking.line(),
         date: openflight_date(&labels.utc),
         dbf_date: dbf_date(&labels.utc),
@@ -158,12 +140,18 @@ pub fn gs_model(levels: &[Level], to_metres: &ToMetres, placement: &Placement, l
     }
 }
 
-/// One OpenFlight file with every level, its geometry turned so that +Y is true north, and its textures.
-pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels: &Labels) -> Result<Vec<File>> {
+/// One OpenFlight file with every level, its geometry turned so that +Y is true north, and its textures with their
+/// attributes. Levels blend into one another over the last tenth of their distances.
+pub fn flt(
+    levels: &[PlacedLevel],
+    geometry: openflight::Geometry,
+    placement: &Placement,
+    labels: &Labels,
+) -> Result<Vec<File>> {
     // Pixels of error allowed on a 1080-line screen with 60° vertical field of view: distance = size · H / (2 p tan(f/2)).
     const DISTANCE_PER_METRE: f64 = 1080.0 / (2.0 * 0.577_350_269_189_625_8);
     let stem = &labels.stem;
-    let coarsest_first = to_metres.levels(levels);
+    let coarsest_first: Vec<&PlacedLevel> = levels.iter().rev().collect();
     let turned: Vec<orb_formats::Mesh> = coarsest_first.iter().map(|l| to_north(&l.mesh, placement.heading)).collect();
     let center = turned
         .last()
@@ -182,8 +170,17 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
     let count = coarsest_first.len();
     for (i, (level, mesh)) in coarsest_first.iter().zip(turned).enumerate() {
         let texture = format!("{stem}_{i}.rgb");
-        let bytes = sgi::write(&level.texture, &labels.marking.line(), true).map_err(format_error)?;
+        let bytes = sgi::write(&rgb(&level.texture), &labels.marking.line(), true).map_err(format_error)?;
         files.push(File { path: texture.clone(), bytes, media_type: "image/x-sgi" });
+        let attributes = openflight::attributes::Attributes {
+            width: level.texture.width(),
+            height: level.texture.height(),
+            alpha: false,
+            clamp: true,
+            comment: labels.marking.line(),
+        };
+        let bytes = openflight::attributes::write(&attributes).map_err(format_error)?;
+        files.push(File { path: format!("{texture}.attr"), bytes, media_type: "application/x-openflight-attributes" });
         model.textures.push(texture);
         let distance = |size: f64| size * DISTANCE_PER_METRE;
         let switch_in = if i == 0 { 100_000.0 } else { distance(level.significant_size) };
@@ -192,14 +189,14 @@ pub fn flt(levels: &[Level], to_metres: &ToMetres, placement: &Placement, labels
             name: format!("{stem}_{i}"),
             switch_in,
             switch_out,
-            transition: 0.0,
+            transition: if i == 0 { 0.0 } else { (switch_in - switch_out) / 10.0 },
             significant_size: level.significant_size,
             center,
             texture: Some(i),
             mesh,
         });
     }
-    let bytes = openflight::write(&model).map_err(format_error)?;
+    let bytes = openflight::write_as(&model, geometry).map_err(format_error)?;
     files.insert(0, File { path: format!("{stem}.flt"), bytes, media_type: "application/x-openflight" });
     Ok(files)
 }
@@ -313,6 +310,13 @@ fn openflight_date(utc: &str) -> String {
 fn dbf_date(utc: &str) -> (u16, u8, u8) {
     let part = |range: std::ops::Range<usize>| utc.get(range).and_then(|t| t.parse::<u16>().ok()).unwrap_or(1);
     (part(0..4), part(5..7) as u8, part(8..10) as u8)
+}
+
+/// What the writers put beside the geometry.
+fn label(placement: &Placement, labels: &Labels) -> Label {
+    let o = &placement.origin;
+    let place = Place { latitude: o.latitude, longitude: o.longitude, height: o.height, heading: placement.heading };
+    Label { marking: labels.marking.line(), place: Some(place) }
 }
 
 fn rgb(image: &RgbImage) -> Image {

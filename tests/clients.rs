@@ -32,7 +32,7 @@ fn outside_readers_open_a_published_folder() {
     // South-western hemisphere and a heading: signs that the README's command does not meet.
     let made = Command::new(env!("CARGO_BIN_EXE_orb"))
         .args(["geo", "--origin", "-54.8019,-68.3030,12.5", "--heading", "200", "--iterations", "4"])
-        .args(["--format", "cdb,flt", "--length", "6.06", "-o"])
+        .args(["--format", "cdb,flt,glb,usdz,tiles3d,spz,splat-glb", "--length", "6.06", "-o"])
         .arg(dir.path().join("out"))
         .arg(root.join("samples/shipping_container.jpg"))
         .env("ORB_DATA_DIR", dir.path().join("data"))

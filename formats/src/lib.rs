@@ -2,17 +2,27 @@
 //!
 //! Writers return bytes or [`File`]s; nothing here touches a disk.
 
+pub mod asset;
 pub mod cdb;
 pub mod collada;
+pub mod glb;
 pub mod kmz;
+pub mod label;
 pub mod mesh;
 pub mod openflight;
 pub mod ply;
 pub mod sgi;
+pub mod splats;
+pub mod spz;
+pub mod tiles3d;
+pub mod usdz;
 pub mod xml;
 
+pub use asset::Asset;
+pub use label::{Label, Place};
 pub use mesh::Mesh;
 pub use sgi::Image;
+pub use splats::Splats;
 
 /// One file of an export, relative to the export's root, `/` between folders.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,6 +41,21 @@ pub enum Error {
     /// A value does not fit the format.
     #[error("{format}: {what}")]
     Unsupported { format: &'static str, what: String },
+}
+
+impl Error {
+    pub(crate) fn malformed(
+        format: &'static str,
+        offset: usize,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Error::Malformed { format, offset: offset as u64, expected: expected.into(), found: found.into() }
+    }
+
+    pub(crate) fn unsupported(format: &'static str, what: impl Into<String>) -> Self {
+        Error::Unsupported { format, what: what.into() }
+    }
 }
 
 pub type Result<T, E = Error> = std::result::Result<T, E>;

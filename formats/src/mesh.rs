@@ -56,6 +56,39 @@ impl Mesh {
     }
 }
 
+/// The area-weighted mean of the triangles around each vertex, length 1; up where there is no direction.
+pub fn smooth_normals(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<[f32; 3]> {
+    let mut sums = vec![[0.0; 3]; positions.len()];
+    for t in triangles {
+        let normal = face_normal(t.map(|v| positions[v as usize]));
+        for v in t {
+            let sum: &mut [f64; 3] = &mut sums[*v as usize];
+            *sum = std::array::from_fn(|c| sum[c] + normal[c]);
+        }
+    }
+    sums.into_iter().map(unit).collect()
+}
+
+/// The normal of a counter-clockwise triangle, as long as twice its area.
+pub fn face_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let edge = |to: [f64; 3]| std::array::from_fn(|i| to[i] - a[i]);
+    cross(edge(b), edge(c))
+}
+
+/// The unit vector, or up where there is no direction.
+pub fn unit(v: [f64; 3]) -> [f32; 3] {
+    let length = dot(v, v).sqrt();
+    if length > 0.0 && length.is_finite() { v.map(|x| (x / length) as f32) } else { [0.0, 0.0, 1.0] }
+}
+
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,9 +4,11 @@
 //! Real-Time Radiance Field Rendering", 2023, whose property names have become the custom. Readers go by name, so the
 //! order is free; the colour coefficients past the first are channel-major in files and basis-major in memory.
 
+mod compressed;
 mod header;
 mod values;
 
+pub use crate::Splats;
 use crate::{Error, Result};
 use header::{Element, Header};
 use values::Source;
@@ -18,19 +20,6 @@ const REST: usize = (BASES - 1) * 3;
 /// Floats of one splat as written: position, normal, colour, opacity, scale, rotation.
 const COLUMNS: usize = 3 + 3 + 3 + REST + 1 + 3 + 4;
 
-/// Gaussian splats, a structure of arrays of one length.
-///
-/// Positions are metres; scales natural logarithms of metres; rotations quaternions w first; opacities logits; `sh` the
-/// spherical-harmonic coefficients, basis by basis (degree 0 first), each RGB.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Splats {
-    pub positions: Vec<[f32; 3]>,
-    pub log_scales: Vec<[f32; 3]>,
-    pub rotations: Vec<[f32; 4]>,
-    pub logit_opacities: Vec<f32>,
-    pub sh: Vec<[[f32; 3]; 16]>,
-}
-
 /// Writes splats as binary little-endian PLY of degree 3 in the customary order, normals 0. Comments come first in the
 /// header, a line each.
 ///
@@ -38,7 +27,7 @@ pub struct Splats {
 /// [`Error::Unsupported`] for arrays of different lengths, a value that is not finite, a comment that is not one line
 /// of printable ASCII.
 pub fn write(splats: &Splats, comments: &[String]) -> Result<Vec<u8>> {
-    validate(splats)?;
+    splats.validate(FORMAT)?;
     if let Some(bad) = comments.iter().find(|c| !c.bytes().all(|b| (0x20..0x7f).contains(&b))) {
         return refuse(format!("a comment must be one line of printable ASCII, found {bad:?}"));
     }
@@ -68,7 +57,7 @@ pub fn write(splats: &Splats, comments: &[String]) -> Result<Vec<u8>> {
 
 /// Reads splats and the header's comments: ASCII or binary of either byte order, properties in any order, of any
 /// number type, degree 0 to 3 by the number of `f_rest_` properties. Normals, other properties and other elements are
-/// skipped; missing coefficients are 0.
+/// skipped; missing coefficients are 0. The compressed layout of PlayCanvas is told by its properties and read too.
 ///
 /// # Errors
 /// [`Error::Malformed`] with the byte offset for a broken header, a missing property or a cut file;
@@ -77,6 +66,9 @@ pub fn write(splats: &Splats, comments: &[String]) -> Result<Vec<u8>> {
 pub fn read(bytes: &[u8]) -> Result<(Splats, Vec<String>)> {
     let header = Header::parse(bytes)?;
     let mut source = Source { bytes, at: header.end, encoding: header.encoding };
+    if compressed::is_compressed(&header) {
+        return Ok((compressed::read(&mut source, &header)?, header.comments));
+    }
     for element in &header.elements {
         if element.name == "vertex" {
             return Ok((read_vertices(&mut source, element)?, header.comments));
@@ -142,18 +134,7 @@ fn targets(element: &Element) -> Result<Vec<Target>> {
     let scalar = |name: &str| element.properties.iter().any(|p| p.name == name && p.list.is_none());
     let rest = (0..REST).take_while(|i| scalar(&format!("f_rest_{i}"))).count();
     let all = element.properties.iter().filter(|p| p.name.starts_with("f_rest_")).count();
-    let bases = match rest {
-        0 => 1,
-        9 => 4,
-        24 => 9,
-        45 => 16,
-        _ => 0,
-    };
-    if bases == 0 || rest != all {
-        return refuse(format!(
-            "f_rest_ properties for degree 0 to 3 number 0, 9, 24 or 45 from f_rest_0, found {all}"
-        ));
-    }
+    let bases = rest_bases(rest, all)?;
     type Group = (&'static [&'static str], fn(usize) -> Target);
     let groups: [Group; 5] = [
         (&["x", "y", "z"], Target::Position),
@@ -181,25 +162,17 @@ fn targets(element: &Element) -> Result<Vec<Target>> {
     Ok(element.properties.iter().map(|p| target(&p.name)).collect())
 }
 
-fn validate(splats: &Splats) -> Result<()> {
-    let count = splats.positions.len();
-    let lengths = [splats.log_scales.len(), splats.rotations.len(), splats.logit_opacities.len(), splats.sh.len()];
-    if lengths.iter().any(|&l| l != count) {
-        return refuse(format!(
-            "the arrays of splats must have one length, found {count} positions and {} scales, {} rotations, {} \
-             opacities, {} colours",
-            lengths[0], lengths[1], lengths[2], lengths[3]
-        ));
+/// Coefficients of a channel where there are `rest` numbered ones above degree 0, of `all` of that name.
+fn rest_bases(rest: usize, all: usize) -> Result<usize> {
+    match rest {
+        _ if rest != all => {}
+        0 => return Ok(1),
+        9 => return Ok(4),
+        24 => return Ok(9),
+        45 => return Ok(16),
+        _ => {}
     }
-    let finite = |i: &usize| {
-        let shape = splats.positions[*i].iter().chain(&splats.log_scales[*i]).chain(&splats.rotations[*i]);
-        let rest = splats.sh[*i].iter().flatten().chain([&splats.logit_opacities[*i]]);
-        shape.chain(rest).all(|x| x.is_finite())
-    };
-    match (0..count).find(|i| !finite(i)) {
-        Some(i) => refuse(format!("splat {i} of {count} has a value that is not finite")),
-        None => Ok(()),
-    }
+    refuse(format!("f_rest_ properties for degree 0 to 3 number 0, 9, 24 or 45 from f_rest_0, found {all}"))
 }
 
 fn malformed<T>(offset: usize, expected: String, found: String) -> Result<T> {

@@ -4,44 +4,9 @@
 
 use orb_formats::openflight::{self, Level, Model};
 use orb_formats::{Image, Mesh, sgi};
-use std::path::{Path, PathBuf};
-use std::process::Command;
 
-/// A fresh folder for one test, removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("orb-formats-{}-{name}", std::process::id()));
-        std::fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
-}
-
-/// Standard output and error of a program run in a folder, `None` where it is not installed.
-fn run(program: &str, arguments: &[&str], folder: &Path) -> Option<String> {
-    let output = Command::new(program).args(arguments).current_dir(folder).env("OSG_NOTIFY_LEVEL", "INFO").output();
-    match output {
-        Ok(output) => {
-            let text = [output.stdout, output.stderr].concat();
-            let text = String::from_utf8_lossy(&text).into_owned();
-            assert!(output.status.success(), "{program} {arguments:?}: {text}");
-            Some(text)
-        }
-        Err(error) => {
-            let required = std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1");
-            assert!(!required, "{program} is required: {error}");
-            println!("skipped: {program} is not installed ({error})");
-            None
-        }
-    }
-}
+mod common;
+use common::{Folder, run};
 
 /// Every corner another colour, so that a flip or a swapped channel shows.
 fn texture(channels: u8) -> Image {

@@ -7,7 +7,12 @@
 //! | OpenFlight | a Comment record (opcode 31) of the Header, before the first push |
 //! | XML | `CLASSIFICATION: …` in any text, such as the `Comment` of a CDB's Version.xml |
 //! | SGI image | the image name of its header |
+//! | OpenFlight texture attributes | the comment |
 //! | ZIP | the archive comment |
+//! | GLB | `CLASSIFICATION: …` in the JSON chunk: copyright, extras and the XMP packet (`KHR_xmp_json_ld`) |
+//! | USDZ | the root layer's `customLayerData["orb:marking"]` |
+//! | 3D Tiles | `CLASSIFICATION: …` in tileset.json's `asset.extras` |
+//! | SPZ | the comment of the gzip header, or an extension record (version 4) |
 //! | `orb-marking.json` | its `banner` |
 //!
 //! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
@@ -43,7 +48,12 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "flt" => (openflight(bytes), true),
         "xml" => (lines_in(bytes), file == "Version.xml"),
         "rgb" | "sgi" => (words_in(bytes.get(24..104).unwrap_or_default()), false),
+        "attr" => (lines_in(bytes.get(1024..1536).unwrap_or_default()), false),
         "zip" => (words_in(zip_comment(bytes)), false),
+        "glb" => (lines_in(glb_json(bytes)), true),
+        "usdz" => (lines_in(orb_formats::usdz::marking(bytes).unwrap_or_default().as_bytes()), true),
+        "spz" => (lines_in(orb_formats::spz::comment(bytes).as_bytes()), true),
+        "json" if file == "tileset.json" => (lines_in(bytes), true),
         "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
         _ => return Carried::NoCarrier,
     };
@@ -136,6 +146,17 @@ fn openflight(bytes: &[u8]) -> Vec<String> {
         rest = &rest[length..];
     }
     found
+}
+
+/// The first chunk of a GLB container: length, `JSON`, text (glTF 2.0 §4.4).
+fn glb_json(bytes: &[u8]) -> &[u8] {
+    match bytes {
+        [b'g', b'l', b'T', b'F', _, _, _, _, _, _, _, _, a, b, c, d, b'J', b'S', b'O', b'N', rest @ ..] => {
+            let length = u32::from_le_bytes([*a, *b, *c, *d]) as usize;
+            &rest[..length.min(rest.len())]
+        }
+        _ => &[],
+    }
 }
 
 /// The end-of-central-directory record's comment (ZIP application note 6.3, §4.3.16).
@@ -286,7 +307,9 @@ mod tests {
     #[test]
     fn nothing_but_bytes() {
         for bytes in [&b""[..], b"\x89PNG\r\n\x1a\n\xff\xff\xff\xff", &[0, 1, 0, 2], &[0, 1, 255, 255], &[0xff; 64]] {
-            for name in ["a.png", "a.flt", "a.ply", "a.xml", "a.rgb", "a.zip"] {
+            for name in
+                ["a.png", "a.flt", "a.ply", "a.xml", "a.rgb", "a.zip", "a.glb", "a.usdz", "a.spz", "tileset.json"]
+            {
                 assert!(matches!(read(name, bytes), Carried::Nothing { .. }), "{name}");
             }
         }

@@ -14,15 +14,15 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
-use orb_formats::cdb;
 
 use super::bar::Bar;
 use super::device::Device;
+use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
 use super::networks::{self, NetworkArgs};
 use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
-use crate::audit::{DataFolder, Marking, Publication, StoreLock, lock_store, merge_into_store, record, time};
+use crate::audit::{DataFolder, Marking, record, time};
 use crate::export::{self, Labels};
 use crate::geo::magnetic;
 use crate::models::{Engine, Rten, prior};
@@ -31,19 +31,6 @@ use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
 use crate::sources::Outcome;
 use crate::{Error, Result, splat, symmetry};
-
-/// What to publish beside `scene.ply`, `preview.png` and the record.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
-pub enum Format {
-    /// OGC CDB store.
-    Cdb,
-    /// OpenFlight 16.0, all levels in one file.
-    Flt,
-    /// The finest level for Google Earth: KML with a COLLADA model.
-    Kmz,
-    /// Gaussians, always written.
-    Ply,
-}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
@@ -98,7 +85,7 @@ pub struct GeoArgs {
     #[arg(skip)]
     pub stem: Option<String>,
 
-    /// Formats to publish, separated by commas.
+    /// Formats to publish, separated by commas; scene.ply, preview.png and the record always are.
     #[arg(long, value_delimiter = ',', value_enum, default_value = "cdb")]
     pub format: Vec<Format>,
 
@@ -121,6 +108,14 @@ pub struct GeoArgs {
     /// Signing key (PKCS#8 PEM). Needed for CUI and above; below that a key is made on the first run.
     #[arg(long, value_name = "FILE")]
     pub key: Option<PathBuf>,
+
+    /// Version of SPZ files.
+    #[arg(long, value_enum, default_value_t)]
+    pub spz_version: SpzVersion,
+
+    /// Records for the triangles of an OpenFlight file.
+    #[arg(long, value_enum, default_value_t)]
+    pub flt_geometry: FltGeometry,
 
     #[arg(long, value_enum, default_value = "standard")]
     pub quality: Quality,
@@ -241,29 +236,6 @@ fn texture_size(text: &str) -> std::result::Result<u32, String> {
     }
 }
 
-/// `AL015`, `AL015/004`: two capital letters, three digits, a subcode from 0 to 999.
-fn feature_code(text: &str) -> Result<(String, u16)> {
-    let (code, sub) = text.split_once('/').unwrap_or((text, "0"));
-    let good = code.len() == 5
-        && code[..].bytes().take(2).all(|b| b.is_ascii_uppercase())
-        && code.bytes().skip(2).all(|b| b.is_ascii_digit());
-    match sub.parse::<u16>() {
-        Ok(sub) if good && sub <= 999 => Ok((code.to_owned(), sub)),
-        _ => {
-            Err(Error::usage("--facc").expected("a feature code such as UA005 or AL015/016").found(format!("`{text}`")))
-        }
-    }
-}
-
-/// The photo's name without its extension: letters, digits, `_` and `-`, 24 at most, first two alphanumeric.
-pub(super) fn safe_stem(photo: &Path) -> String {
-    let name = photo.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    let keep = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
-    let safe: String = name.chars().map(keep).take(24).collect();
-    let head = safe.bytes().take(2).filter(u8::is_ascii_alphanumeric).count();
-    if head == 2 { safe } else { format!("m0{safe}").chars().take(24).collect() }
-}
-
 /// Runs the verb. `stop` is set by the interrupt handler.
 pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     match (&args.tool, &args.manifest) {
@@ -294,7 +266,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
 
     let mut run = SealedRun::begin(&plan.output, args.replace, plan.marking, args.key.as_deref(), args.quiet)?;
     let store = match &args.cdb {
-        Some(root) => Some(open_store(root)?),
+        Some(root) => Some(OpenStore::open(root)?),
         None => None,
     };
 
@@ -346,16 +318,20 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
             run.publication.add(&file.path, &file.bytes, file.media_type, "stage")?;
         }
     }
-    let mut store_model = None;
-    if args.format.contains(&Format::Cdb) {
-        let model = export::gs_model(&done.model.levels, to_metres, placement, &labels);
-        store_model = Some(write_cdb(&model, &plan.stem, store, &mut run.publication)?);
-    }
-    if args.format.contains(&Format::Flt) {
-        for file in export::flt(&done.model.levels, to_metres, placement, &labels)? {
-            run.publication.add(&file.path, &file.bytes, file.media_type, "model")?;
-        }
-    }
+    let levels = to_metres.levels(&done.model.levels);
+    let gaussians = to_metres.gaussians(&done.gaussians);
+    let content = Content {
+        levels: &levels,
+        gaussians: Some(&gaussians),
+        placement,
+        labels: &labels,
+        spz: args.spz_version.into(),
+        flt_geometry: args.flt_geometry.into(),
+    };
+    // The sidecars write the scene's place into the KMZ; the PLY is there.
+    let formats: Vec<Format> =
+        args.format.iter().copied().filter(|f| !matches!(f, Format::Kmz | Format::Ply)).collect();
+    let store_model = format::publish(&formats, &content, store, &mut run.publication)?;
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
@@ -408,53 +384,6 @@ pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
     std::fs::read(path).map_err(|e| Error::io(path, &e))
 }
 
-/// A store on disk, locked for this run.
-struct OpenStore {
-    lock: StoreLock,
-    root: PathBuf,
-}
-
-fn open_store(root: &Path) -> Result<OpenStore> {
-    let lock = lock_store(root)?;
-    Ok(OpenStore { lock, root: root.to_owned() })
-}
-
-impl cdb::Store for OpenStore {
-    fn read(&self, path: &str) -> std::io::Result<Option<Vec<u8>>> {
-        match std::fs::read(self.root.join(path)) {
-            Ok(bytes) => Ok(Some(bytes)),
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
-            Err(e) => Err(e),
-        }
-    }
-}
-
-/// Into the published folder as a store of its own, or into the store that was named. Returns the model's name there.
-fn write_cdb(
-    model: &cdb::GsModel,
-    stem: &str,
-    store: Option<OpenStore>,
-    publication: &mut Publication,
-) -> Result<String> {
-    match store {
-        None => {
-            let added = cdb::add_model(&cdb::Empty, model).map_err(export::format_error)?;
-            for folder in &added.folders {
-                publication.add_folder(&format!("{stem}.cdb/{folder}"))?;
-            }
-            for file in &added.files {
-                publication.add(&format!("{stem}.cdb/{}", file.path), &file.bytes, file.media_type, "cdb")?;
-            }
-            Ok(added.model_name)
-        }
-        Some(store) => {
-            let added = cdb::add_model(&store, model).map_err(export::format_error)?;
-            publication.merge(merge_into_store(store.lock, &added.files, &added.folders)?)?;
-            Ok(added.model_name)
-        }
-    }
-}
-
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 pub(super) fn models(outcome: &Outcome) -> Vec<Model> {
     let mut all = Vec::from(
@@ -491,11 +420,9 @@ fn params(
     line: Option<&str>,
 ) -> BTreeMap<String, Param> {
     let text = |v: String| Param::Text(v);
-    let formats: Vec<String> =
-        args.format.iter().filter_map(|f| f.to_possible_value()).map(|v| v.get_name().to_owned()).collect();
     let mut all = BTreeMap::from([
         ("seed".into(), text(args.seed.to_string())),
-        ("formats".into(), text(formats.join(","))),
+        ("formats".into(), text(Format::names(&args.format))),
         ("device".into(), text(done.report.device.clone())),
         ("lods".into(), Param::Int(settings.levels as i64)),
         ("iterations_planned".into(), Param::Int(settings.iterations.into())),
@@ -549,31 +476,4 @@ fn params(
         add(&name, timing.memory.map(|bytes| Param::Int((bytes >> 20) as i64)));
     }
     all
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stems_are_safe_names() {
-        for (path, stem) in [
-            ("a/smart_car.jpg", "smart_car"),
-            ("IMG 0012 (3).JPG", "IMG_0012__3_"),
-            ("_x.png", "m0_x"),
-            ("é.png", "m0_"),
-            ("a-very-long-name-of-a-photo-indeed.tif", "m0a-very-long-name-of-a-"),
-        ] {
-            assert_eq!(safe_stem(Path::new(path)), stem);
-        }
-    }
-
-    #[test]
-    fn feature_codes() {
-        assert_eq!(feature_code("AL015/016").unwrap(), ("AL015".into(), 16));
-        assert_eq!(feature_code("UA005").unwrap(), ("UA005".into(), 0));
-        for bad in ["al015", "AL15", "AL015/1000", "AL015/x", "ÄA005", ""] {
-            assert!(feature_code(bad).is_err(), "{bad}");
-        }
-    }
 }

@@ -4,8 +4,11 @@ pub mod audit;
 mod bar;
 pub mod bench;
 mod cameras;
+mod cdb;
 pub mod device;
 pub mod doctor;
+pub mod export;
+mod format;
 pub mod geo;
 pub mod models;
 pub mod networks;
@@ -38,6 +41,10 @@ enum Verb {
     Geo(Box<geo::GeoArgs>),
     /// Turn a photo into Gaussians alone: neither meshed nor placed.
     Reconstruct(reconstruct::Reconstruct),
+    /// Turn a splat or a model into the other formats, placed, marked, sealed.
+    Export(Box<export::ExportArgs>),
+    /// Look a CDB store over, whoever wrote it.
+    Cdb(cdb::CdbArgs),
     /// Draw a splat (PLY) from cameras, on the GPU where there is one.
     Render(render::Render),
     /// Measure this machine.
@@ -81,12 +88,15 @@ pub fn main() -> ExitCode {
         Verb::Geo(_) => Some("orb geo"),
         Verb::Reconstruct(_) => Some("orb reconstruct"),
         Verb::Render(_) => Some("orb render"),
+        Verb::Export(_) => Some("orb export"),
         Verb::Models(_) => Some("orb models"),
-        Verb::Bench(_) | Verb::Doctor(_) | Verb::Audit(_) => None,
+        Verb::Bench(_) | Verb::Cdb(_) | Verb::Doctor(_) | Verb::Audit(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
         Verb::Reconstruct(args) => reconstruct::run(&args, &stop),
+        Verb::Export(args) => export::run(&args, &stop),
+        Verb::Cdb(args) => cdb::run(&args).map(show),
         Verb::Render(args) => render::publish(&args, &stop),
         Verb::Bench(Bench::Speed(args)) => {
             let bar = bar::Bar::new(&stop, false);

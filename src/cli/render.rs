@@ -5,7 +5,6 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use glam::Vec3;
 use image::{ExtendedColorType, ImageEncoder};
 use serde_json::json;
 
@@ -16,6 +15,7 @@ use super::sealed::{Evidence, SealedRun};
 use crate::audit::inband::{self, Carried};
 use crate::audit::statement::Param;
 use crate::audit::{Marking, record, time};
+use crate::export::import::gaussians;
 use crate::progress::Progress;
 use crate::splat::render::gpu::{Renderer, Scene};
 use crate::splat::render::{self, Frame};
@@ -154,13 +154,7 @@ pub fn load(path: &Path) -> Result<Gaussians> {
     let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
     let (splats, _) = orb_formats::ply::read(&bytes)
         .map_err(|e| Error::usage(path.display().to_string()).expected("a splat in PLY").found(e.to_string()))?;
-    Ok(Gaussians {
-        positions: splats.positions.into_iter().map(Vec3::from_array).collect(),
-        log_scales: splats.log_scales.into_iter().map(Vec3::from_array).collect(),
-        rotations: splats.rotations,
-        logit_opacities: splats.logit_opacities,
-        sh: splats.sh,
-    })
+    Ok(gaussians(splats))
 }
 
 /// Writes one picture; its entry in frames.json.

@@ -5,7 +5,8 @@
 #
 # Archives are tested with unzip and opened beside themselves in a copy, where relative texture paths lead from one
 # archive's files to another's. Then every .flt is read by osgconv and osgcheck, every .shp and .dbf by ogrinfo, every
-# .rgb by iinfo, and the record by openssl. Prints one line a file; exit code 1 if anything was not read.
+# .rgb by iinfo, the record by openssl; with npm's packages on NODE_PATH every .glb by the Khronos validator and every .spz
+# by splat-transform; with OpenUSD in ORB_PYTHON every .usdz under ARKit's rules. Prints one line a file; exit code 1 if anything was not read.
 set -euo pipefail
 if [ $# -ne 1 ] || [ ! -d "$1" ]; then
     echo "usage: check_folder.sh FOLDER" >&2
@@ -62,6 +63,18 @@ ogrinfo_reads() {
 
 iinfo_reads() { iinfo "$1" && ! iinfo --stats "$1" 2>&1 | grep -i error; }
 
+gltf_reads() {
+    # The validator does not know the attributes of splats.
+    case $1 in *_splats.glb) return 0 ;; esac
+    node "$here/gltf_validate.cjs" "$1" >"$work/gltf" 2>&1
+    cat "$work/gltf"
+    grep -q 'errors 0 warnings 0 infos 0 hints 0' "$work/gltf"
+}
+
+usd_reads() { "$ORB_PYTHON" "$here/usdz_check.py" "$1"; }
+
+splats_read() { node "$splat_transform" -q -w "$1" "$work/back.ply" && head -c 3 "$work/back.ply" | grep -q ply; }
+
 g++ -O1 -o "$work/osgcheck" "$here/osgcheck.cpp" -losg -losgDB -losgViewer -losgUtil -losgGA -lOpenThreads
 each zip archive
 each flt osgconv_reads
@@ -69,6 +82,12 @@ each flt osgcheck_reads
 each shp ogrinfo_reads
 each dbf ogrinfo_reads
 each rgb iinfo_reads
+if [ -n "${NODE_PATH:-}" ]; then
+    splat_transform=$NODE_PATH/@playcanvas/splat-transform/bin/cli.mjs
+    each glb gltf_reads
+    each spz splats_read
+fi
+[ -z "${ORB_PYTHON:-}" ] || each usdz usd_reads
 
 cd "$folder"
 if openssl dgst -sha256 -verify orb-record.pub.pem -signature orb-record.sig orb-record.pae >"$work/log" 2>&1; then

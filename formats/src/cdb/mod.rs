@@ -31,6 +31,6 @@ mod texture;
 use crate::xml;
 
 pub use add::{Added, add_model};
-pub use check::{Finding, check};
+pub use check::{Finding, Report, RuleReport, Verdict, check, report};
 pub use model::{GsModel, Level};
 pub use store::{Empty, ListableStore, Memory, Store};

@@ -2,6 +2,7 @@
 
 use super::FORMAT;
 use super::record::{Record, opcode};
+use crate::mesh::{cross, dot, smooth_normals, unit};
 use crate::{Error, Mesh, Result};
 
 /// A vertex as stored; records 68 and 71 and some pools have no normal.
@@ -159,40 +160,13 @@ impl Transform {
 
 /// Makes a mesh of vertices and triangles; vertices without a normal get the area-weighted mean of their triangles'.
 pub fn mesh(vertices: &[Vertex], triangles: Vec<[u32; 3]>) -> Mesh {
-    let mut sums = vec![[0.0; 3]; if vertices.iter().any(|v| v.normal.is_none()) { vertices.len() } else { 0 }];
-    if !sums.is_empty() {
-        for t in &triangles {
-            let normal = face_normal(t.map(|v| vertices[v as usize].position));
-            for v in t {
-                let sum = &mut sums[*v as usize];
-                *sum = std::array::from_fn(|c| sum[c] + normal[c]);
-            }
-        }
-    }
+    let positions: Vec<[f64; 3]> = vertices.iter().map(|v| v.position).collect();
+    let smooth =
+        if vertices.iter().any(|v| v.normal.is_none()) { smooth_normals(&positions, &triangles) } else { Vec::new() };
     Mesh {
-        positions: vertices.iter().map(|v| v.position).collect(),
-        normals: vertices.iter().enumerate().map(|(i, v)| v.normal.unwrap_or_else(|| unit(sums[i]))).collect(),
+        normals: vertices.iter().enumerate().map(|(i, v)| v.normal.unwrap_or_else(|| smooth[i])).collect(),
         uvs: vertices.iter().map(|v| v.uv).collect(),
+        positions,
         triangles,
     }
-}
-
-/// The normal of a counter-clockwise triangle, as long as twice its area.
-pub fn face_normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let edge = |to: [f64; 3]| std::array::from_fn(|i| to[i] - a[i]);
-    cross(edge(b), edge(c))
-}
-
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// The unit vector, or up where there is no direction.
-fn unit(v: [f64; 3]) -> [f32; 3] {
-    let length = dot(v, v).sqrt();
-    if length > 0.0 && length.is_finite() { v.map(|x| (x / length) as f32) } else { [0.0, 0.0, 1.0] }
 }

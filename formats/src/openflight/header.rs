@@ -15,6 +15,8 @@ pub struct Header {
     pub date: String,
     /// The next free number for groups, levels of detail, objects and faces.
     pub next_ids: [i16; 4],
+    /// The next free number for meshes.
+    pub next_mesh: u16,
     /// South-west corner of the geometry, metres.
     pub southwest: [f64; 2],
     /// South-west and north-east corners (latitude, longitude), degrees.
@@ -39,11 +41,17 @@ impl Header {
         Self {
             date: model.date.clone(),
             next_ids: [next(1), levels, levels, next(faces)],
+            next_mesh: 1,
             southwest: [lo[0], lo[1]],
             corners,
             origin: model.origin.unwrap_or_default(),
             radius: farthest.fold(0.0, f64::max).sqrt(),
         }
+    }
+
+    /// The same for a model of meshes, one a level.
+    pub fn of_meshes(model: &Model) -> Self {
+        Self { next_mesh: u16::try_from(model.levels.len() + 1).unwrap_or(u16::MAX), ..Self::of(model, 0) }
     }
 
     pub fn write(&self, out: &mut Writer) {
@@ -82,7 +90,7 @@ impl Header {
         out.i16(0); // no UTM zone
         out.zeros(6);
         out.f64s(&[0.0, self.radius]); // vertical offset, radius
-        out.u16(1); // next mesh ID
+        out.u16(self.next_mesh);
         out.u16(1); // next light point system ID
         out.zeros(4);
         out.f64s(&[0.0, 0.0]); // axes of a user-defined ellipsoid

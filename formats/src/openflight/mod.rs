@@ -4,12 +4,14 @@
 //! of big-endian records (u16 opcode, u16 length); palettes come first, then the node tree between push and pop
 //! records. Bit 0 of a flag word is its most significant bit.
 //!
-//! [`write()`] makes faces over a vertex palette; [`read`] takes those and meshes; [`check`] looks a file over. What is
+//! [`write()`] makes faces over a vertex palette, [`write_as`] also meshes; [`read`] takes both; [`check`] looks a file over. What is
 //! written reads back equal but for the vertices' sharing: see [`read`].
 
+pub mod attributes;
 mod check;
 mod geometry;
 mod header;
+mod mesh;
 mod palette;
 mod read;
 mod record;
@@ -20,11 +22,21 @@ mod write;
 
 pub use check::check;
 pub use read::read;
-pub use write::write;
+pub use write::{write, write_as};
 
 use crate::Mesh;
 
 const FORMAT: &str = "OpenFlight";
+
+/// The records that hold triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Geometry {
+    /// A face record a triangle over one vertex palette: every tested reader shows it.
+    #[default]
+    Faces,
+    /// A mesh a level with a pool of its own: a third of the size. Some readers (Cognitics) build nothing from it.
+    Meshes,
+}
 
 /// One model: a root group (the CDB global zone) with sibling levels of detail.
 ///

@@ -2,7 +2,7 @@
 
 use super::record::{Writer, opcode};
 use super::{FORMAT, Level};
-use crate::{Error, Result};
+use crate::{Error, Mesh, Result};
 use std::collections::HashMap;
 
 /// The colour palette, all white: this writer gives packed colours, but readers look for the palette.
@@ -105,4 +105,14 @@ fn write_vertex(out: &mut Writer, position: [f64; 3], normal: [f32; 3], uv: Opti
     out.u32(0xffff_ffff); // no colour index
     out.zeros(4);
     out.end();
+}
+
+/// A vertex of a local pool: position, packed white, normal, texture coordinates where textured.
+pub fn written_vertex(out: &mut Writer, mesh: &Mesh, v: usize, textured: bool) {
+    out.f64s(&mesh.positions[v]);
+    out.u32(0xffff_ffff);
+    out.f32s(&mesh.normals[v]);
+    if textured {
+        out.f32s(&mesh.uvs[v]);
+    }
 }

@@ -7,7 +7,7 @@ mod properties;
 use super::header::Header;
 use super::record::opcode;
 use super::write::{drawn, write_with};
-use super::{Level, Model, check, read, write};
+use super::{Geometry, Level, Model, check, read, write, write_as};
 use crate::{Error, Mesh};
 use sha2::{Digest, Sha256};
 
@@ -122,6 +122,7 @@ fn known_answer_file() {
     let header = Header {
         date: model.date.clone(),
         next_ids: [1; 4],
+        next_mesh: 1,
         southwest: [0.0; 2],
         corners: [at; 2],
         origin: at,
@@ -243,4 +244,46 @@ fn face_numbers_past_seven_characters_have_long_ids() {
     let last: Vec<String> =
         tree.nodes.iter().rev().filter(|n| n.record.opcode == opcode::FACE).take(3).map(|n| n.name()).collect();
     assert_eq!(last, ["p1000001", "p1000000", "p999999"]);
+}
+
+#[test]
+fn meshes_read_back_equal() {
+    for model in [triangle(), two_levels()] {
+        let bytes = write_as(&model, Geometry::Meshes).unwrap();
+        assert_eq!(read(&bytes).unwrap(), model);
+        assert_eq!(check(&bytes), Vec::<String>::new());
+        assert!(bytes.len() < write(&model).unwrap().len());
+    }
+}
+
+/// Pools of 2,000 and 70,000 vertices: two and four bytes an index, continuation records.
+#[test]
+fn long_pools_are_continued() {
+    for columns in [1000u32, 35_000] {
+        let mut model = triangle();
+        let mesh = &mut model.levels[0].mesh;
+        *mesh = Mesh::default();
+        for i in 0..columns {
+            for y in [0.0, 1.0] {
+                mesh.positions.push([f64::from(i) * 0.01, y, 0.0]);
+                mesh.normals.push([0.0, 0.0, 1.0]);
+                mesh.uvs.push([i as f32 / columns as f32, y as f32]);
+            }
+        }
+        mesh.triangles =
+            (1..columns).flat_map(|i| [[2 * i - 2, 2 * i, 2 * i + 1], [2 * i - 2, 2 * i + 1, 2 * i - 1]]).collect();
+        let bytes = write_as(&model, Geometry::Meshes).unwrap();
+        assert_eq!(read(&bytes).unwrap(), model);
+        assert_eq!(check(&bytes), Vec::<String>::new());
+        let mut at = 0;
+        let mut pieces = Vec::new();
+        while at < bytes.len() {
+            let word = |i: usize| usize::from(u16::from_be_bytes([bytes[at + i], bytes[at + i + 1]]));
+            if [opcode::LOCAL_VERTEX_POOL, opcode::CONTINUATION].contains(&(word(0) as u16)) {
+                pieces.push((word(2) - if pieces.is_empty() { 12 } else { 4 }) % 48);
+            }
+            at += word(2);
+        }
+        assert_eq!(pieces, vec![0; (columns as usize * 2 * 48).div_ceil(65_520)]);
+    }
 }

@@ -3,7 +3,7 @@
 use super::header::{Header, union};
 use super::palette::{self, VertexPalette};
 use super::record::{Writer, opcode};
-use super::{FORMAT, Level, Model};
+use super::{FORMAT, Geometry, Level, Model, mesh};
 use crate::{Error, Result};
 
 /// The longest text of a comment or long ID: a record of 65532 bytes less its header and NUL.
@@ -19,8 +19,54 @@ const MAX_STRING: usize = 65527;
 /// absolute or has backslashes, two names alike, a mesh that is not valid or has no triangle, numbers that are not
 /// finite, a level whose far limit is not beyond its near limit, a vertex palette over 2 GiB.
 pub fn write(model: &Model) -> Result<Vec<u8>> {
+    write_as(model, Geometry::Faces)
+}
+
+/// Writes a model as [`write`] does, its triangles in the records that are asked for.
+///
+/// # Errors
+/// As [`write`].
+pub fn write_as(model: &Model, geometry: Geometry) -> Result<Vec<u8>> {
     let faces = model.levels.iter().map(|l| drawn(l).count()).sum();
-    write_with(model, &Header::of(model, faces), faces)
+    match geometry {
+        Geometry::Faces => write_with(model, &Header::of(model, faces), faces),
+        Geometry::Meshes => write_meshes(model, faces),
+    }
+}
+
+fn write_meshes(model: &Model, faces: usize) -> Result<Vec<u8>> {
+    validate(model, 0)?;
+    let corners: usize = model.levels.iter().map(|l| l.mesh.positions.len()).sum();
+    let mut out = Writer::with_capacity(6000 + 216 * model.textures.len() + 48 * corners + 24 * faces);
+    write_palettes(&mut out, model, &Header::of_meshes(model));
+    out.control(opcode::PUSH);
+    write_group(&mut out, model);
+    out.control(opcode::PUSH);
+    for (index, level) in model.levels.iter().enumerate() {
+        write_lod(&mut out, level, index + 1);
+        out.control(opcode::PUSH);
+        write_object(&mut out, index + 1);
+        out.control(opcode::PUSH);
+        mesh::write(&mut out, level, index + 1)?;
+        out.control(opcode::POP);
+        out.control(opcode::POP);
+    }
+    out.control(opcode::POP);
+    out.control(opcode::POP);
+    Ok(out.bytes)
+}
+
+/// Everything before the vertices.
+fn write_palettes(out: &mut Writer, model: &Model, header: &Header) {
+    header.write(out);
+    if let Some(comment) = &model.header_comment {
+        out.string_record(opcode::COMMENT, comment);
+    }
+    palette::write_colors(out);
+    palette::write_material(out, 0, "mat0");
+    for (index, path) in model.textures.iter().enumerate() {
+        palette::write_texture(out, index as i32, path);
+    }
 }
 
 /// Writes a model under a given header.
@@ -28,15 +74,7 @@ pub fn write_with(model: &Model, header: &Header, faces: usize) -> Result<Vec<u8
     validate(model, faces)?;
     let corners: usize = model.levels.iter().map(|l| l.mesh.positions.len()).sum();
     let mut out = Writer::with_capacity(6000 + 216 * model.textures.len() + 64 * corners + 104 * faces);
-    header.write(&mut out);
-    if let Some(comment) = &model.header_comment {
-        out.string_record(opcode::COMMENT, comment);
-    }
-    palette::write_colors(&mut out);
-    palette::write_material(&mut out, 0, "mat0");
-    for (index, path) in model.textures.iter().enumerate() {
-        palette::write_texture(&mut out, index as i32, path);
-    }
+    write_palettes(&mut out, model, header);
     let mut vertices = VertexPalette::begin(&mut out);
     let mut offsets = Vec::with_capacity(model.levels.len());
     for level in &model.levels {
@@ -78,17 +116,17 @@ pub fn drawn(level: &Level) -> impl Iterator<Item = [u32; 3]> {
 }
 
 /// Node IDs: a letter and a number, seven characters at most.
-fn id(letter: char, number: usize) -> String {
+pub fn id(letter: char, number: usize) -> String {
     format!("{letter}{number}")
 }
 
 /// The ID field, cut to the seven characters it holds.
-fn write_id(out: &mut Writer, id: &str) {
+pub fn write_id(out: &mut Writer, id: &str) {
     out.text(&id[..id.len().min(7)], 8);
 }
 
 /// The long ID that must follow when the name is another than the ID, or the ID was cut.
-fn write_long_id(out: &mut Writer, id: &str, name: &str) {
+pub fn write_long_id(out: &mut Writer, id: &str, name: &str) {
     if !name.is_empty() && name != id {
         out.string_record(opcode::LONG_ID, name);
     } else if id.len() > 7 {
@@ -141,6 +179,13 @@ fn write_face(out: &mut Writer, number: usize, texture: i16) {
     let id = id('p', number);
     out.begin(opcode::FACE);
     write_id(out, &id);
+    surface_tail(out, texture);
+    out.end();
+    write_long_id(out, &id, "");
+}
+
+/// What faces and meshes have behind their IDs.
+pub fn surface_tail(out: &mut Writer, texture: i16) {
     out.zeros(6); // infrared colour, priority
     out.u8(0); // solid, back faces culled
     out.u8(0); // not white
@@ -166,8 +211,6 @@ fn write_face(out: &mut Writer, number: usize, texture: i16) {
     out.u32(0xffff_ffff); // no alternate colour index
     out.zeros(2);
     out.i16(-1); // no shader
-    out.end();
-    write_long_id(out, &id, "");
 }
 
 fn validate(model: &Model, faces: usize) -> Result<()> {
@@ -198,6 +241,7 @@ fn validate(model: &Model, faces: usize) -> Result<()> {
             && (name == "g1"
                 || is_numbered(name, 'l', model.levels.len())
                 || is_numbered(name, 'o', model.levels.len())
+                || is_numbered(name, 'm', model.levels.len())
                 || is_numbered(name, 'p', faces));
         if taken || (!name.is_empty() && !names.insert(name.to_owned())) {
             return refuse(format!("node names must be unique, {name:?} is taken by another node; rename it"));

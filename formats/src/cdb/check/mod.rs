@@ -7,6 +7,9 @@ mod features;
 mod geometry;
 mod metadata;
 mod paths;
+mod report;
+
+pub use report::{Report, RuleReport, Verdict, report};
 
 use super::store::{ListableStore, unreadable};
 use crate::Result;

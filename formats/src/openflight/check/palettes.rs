@@ -1,7 +1,8 @@
 //! Palettes: indices, texture paths, vertices.
 
 use super::{Findings, check_text, near};
-use crate::openflight::geometry::{Vertex, dot, vertex};
+use crate::mesh::dot;
+use crate::openflight::geometry::{Vertex, vertex};
 use crate::openflight::record::opcode;
 use crate::openflight::tree::Tree;
 use std::collections::BTreeSet;

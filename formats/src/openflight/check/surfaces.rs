@@ -2,7 +2,8 @@
 
 use super::palettes::{Palettes, check_vertex};
 use super::{Findings, check_text};
-use crate::openflight::geometry::{PoolLayout, Vertex, dot, face_normal, primitive, triangulate};
+use crate::mesh::{dot, face_normal};
+use crate::openflight::geometry::{PoolLayout, Vertex, primitive, triangulate};
 use crate::openflight::header::union;
 use crate::openflight::record::{Record, opcode};
 use crate::openflight::tree::{Node, Tree};

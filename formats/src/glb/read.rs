@@ -1,0 +1,197 @@
+//! File → asset.
+
+use super::accessors::Accessors;
+use super::json::{About, Index, Look, Picture, Primitive, Root};
+use super::transform::Transform;
+use super::{FORMAT, SPLATTING, container, splats};
+use crate::asset::{Asset, EncodedImage, Material, Part};
+use crate::{Error, Label, Mesh, Place, Result, Splats};
+
+/// Extensions that change how geometry is stored, which this reader does not undo.
+const UNREAD: [&str; 5] = [
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_gaussian_splatting_compression_spz",
+    "KHR_gaussian_splatting_compression_spz_2",
+];
+/// Nodes below one another.
+const MAX_DEPTH: usize = 64;
+
+/// Reads the default scene (else the first, else every node): triangles with their nodes' transformations applied, base
+/// colours and their images, splats, Orb's label.
+///
+/// Missing normals are computed; points and lines, other textures, animation, skins, cameras and lights are left out.
+/// What [`write`](super::write()) wrote comes back equal up to f32 positions and a v coordinate's last bit.
+///
+/// # Errors
+/// [`Error::Malformed`] where the file breaks the format; [`Error::Unsupported`] for compressed or sparse data,
+/// buffers outside the file, and a scene that unfolds to more than four vertices a byte of the file.
+pub fn read(bytes: &[u8]) -> Result<Asset> {
+    let (json, bin) = container::split(bytes)?;
+    let root: Root = serde_json::from_slice(json)
+        .map_err(|e| Error::malformed(FORMAT, 20 + e.column(), "glTF 2.0 JSON", e.to_string()))?;
+    if let Some(name) = root.extensions_required.iter().find(|e| UNREAD.contains(&e.as_str())) {
+        return Err(Error::unsupported(FORMAT, format!("the file needs {name}; store it without compression")));
+    }
+    let accessors = Accessors { root: &root, bin };
+    let mut out = Asset { materials: materials(&root)?, images: images(&accessors)?, ..Asset::default() };
+    out.label = label(&root.asset);
+    let scene = root.scenes.get(root.scene.unwrap_or(0));
+    let starts: Vec<usize> = scene.map_or_else(|| (0..root.nodes.len()).collect(), |s| s.nodes.clone());
+    let mut left = bytes.len().saturating_mul(4);
+    let mut stack: Vec<(usize, Transform, usize)> = starts.iter().rev().map(|&n| (n, Transform::NONE, 0)).collect();
+    while let Some((index, outer, depth)) = stack.pop() {
+        let node = root.nodes.get(index).ok_or_else(|| missing("node", index))?;
+        if depth > MAX_DEPTH || stack.len() > bytes.len() {
+            return Err(Error::malformed(FORMAT, 20, format!("a tree of at most {MAX_DEPTH} levels"), "a deeper one"));
+        }
+        let here = Transform::of(node).then(&outer);
+        stack.extend(node.children.iter().rev().map(|&child| (child, here, depth + 1)));
+        // Every node costs something, or a tree that shares its branches would take for ever.
+        left = spend(left, 1)?;
+        let Some(mesh) = node.mesh else { continue };
+        let mesh = root.meshes.get(mesh).ok_or_else(|| missing("mesh", mesh))?;
+        if let Some(name) = node.name.as_ref().filter(|_| out.name.is_empty()) {
+            out.name.clone_from(name);
+        }
+        for primitive in &mesh.primitives {
+            if primitive.extensions.contains_key(SPLATTING) {
+                left = spend(left, accessors.vertices(primitive)?)?;
+                let read = splats::read(&primitive.attributes, &accessors)?;
+                add_splats(&mut out, read, &here)?;
+            } else if matches!(primitive.mode.unwrap_or(4), 4..=6) {
+                left = spend(left, accessors.vertices(primitive)?)?;
+                let material = primitive.material;
+                if let Some(m) = material.filter(|&m| m >= out.materials.len()) {
+                    return Err(missing("material", m));
+                }
+                out.parts.push(Part { mesh: triangle_mesh(&accessors, primitive, &here)?, material });
+            }
+        }
+    }
+    Ok(out)
+}
+
+fn spend(left: usize, vertices: usize) -> Result<usize> {
+    left.checked_sub(vertices)
+        .ok_or_else(|| Error::unsupported(FORMAT, "the scene repeats its meshes too often; apply the instances first"))
+}
+
+/// Only nodes without a transformation: turning splats is not this reader's to do.
+fn add_splats(out: &mut Asset, read: Splats, here: &Transform) -> Result<()> {
+    if *here != Transform::NONE {
+        return Err(Error::unsupported(FORMAT, "splats below a node with a transformation; apply it first"));
+    }
+    match &mut out.splats {
+        None => out.splats = Some(read),
+        Some(all) => {
+            all.positions.extend(read.positions);
+            all.log_scales.extend(read.log_scales);
+            all.rotations.extend(read.rotations);
+            all.logit_opacities.extend(read.logit_opacities);
+            all.sh.extend(read.sh);
+        }
+    }
+    Ok(())
+}
+
+fn materials(root: &Root) -> Result<Vec<Material>> {
+    let one = |look: &Look| {
+        let pbr = &look.pbr_metallic_roughness;
+        let image = match &pbr.base_color_texture {
+            None => None,
+            Some(Index { index }) => root.textures.get(*index).ok_or_else(|| missing("texture", *index))?.source,
+        };
+        if let Some(i) = image.filter(|&i| i >= root.images.len()) {
+            return Err(missing("image", i));
+        }
+        Ok(Material {
+            name: look.name.clone(),
+            base_color: pbr.base_color_factor.unwrap_or([1.0; 4]),
+            image,
+            metallic: pbr.metallic_factor.unwrap_or(1.0),
+            roughness: pbr.roughness_factor.unwrap_or(1.0),
+            double_sided: look.double_sided,
+        })
+    };
+    root.materials.iter().map(one).collect()
+}
+
+fn images(accessors: &Accessors) -> Result<Vec<EncodedImage>> {
+    let one = |picture: &Picture| {
+        let Some(view) = picture.buffer_view else {
+            return Err(Error::unsupported(FORMAT, "an image outside the file; pack it into the GLB"));
+        };
+        let (bytes, _) = accessors.view(view)?;
+        Ok(EncodedImage { media_type: picture.mime_type.clone().unwrap_or_default(), bytes: bytes.to_vec() })
+    };
+    // Views may overlap: what is copied stays below a few files.
+    let mut left = accessors.bin.len().saturating_mul(4);
+    let mut all = Vec::new();
+    for picture in &accessors.root.images {
+        let image = one(picture)?;
+        left = spend(left, image.bytes.len())?;
+        all.push(image);
+    }
+    Ok(all)
+}
+
+fn label(about: &About) -> Label {
+    let own = &about.extras["orb"];
+    let marking = own["marking"].as_str().map_or_else(|| about.copyright.clone(), str::to_owned);
+    Label { marking, place: serde_json::from_value::<Place>(own["place"].clone()).ok() }
+}
+
+pub fn missing(what: &str, index: usize) -> Error {
+    Error::malformed(FORMAT, 20, format!("the {what} {index}"), "none")
+}
+
+fn triangle_mesh(accessors: &Accessors, primitive: &Primitive, here: &Transform) -> Result<Mesh> {
+    let Some(&positions) = primitive.attributes.get("POSITION") else {
+        return Err(Error::malformed(FORMAT, 20, "positions of a primitive", "none"));
+    };
+    let positions: Vec<[f32; 3]> = accessors.vectors(positions)?;
+    let count = positions.len();
+    let optional = |name: &str| primitive.attributes.get(name).copied();
+    let uvs: Vec<[f32; 2]> = match optional("TEXCOORD_0") {
+        Some(index) => accessors.vectors(index)?,
+        None => vec![[0.0; 2]; count],
+    };
+    let corners: Vec<u32> = match primitive.indices {
+        Some(index) => accessors.values(index, 1)?.into_iter().map(|v| v as u32).collect(),
+        None => (0..count as u32).collect(),
+    };
+    if uvs.len() != count || corners.iter().any(|&c| c as usize >= count) {
+        let found = format!("{} texture coordinates, indices to {:?}", uvs.len(), corners.iter().max());
+        return Err(Error::malformed(FORMAT, 20, format!("{count} vertices throughout"), found));
+    }
+    let mut triangles = triangles(primitive.mode.unwrap_or(4), &corners);
+    if here.mirrors() {
+        triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    let out = |[x, y, z]: [f64; 3]| [x, -z, y];
+    let positions: Vec<[f64; 3]> = positions.iter().map(|p| out(here.point(p.map(f64::from)))).collect();
+    let normals = match optional("NORMAL") {
+        Some(index) => {
+            let normals: Vec<[f32; 3]> = accessors.vectors(index)?;
+            normals.iter().map(|n| out(here.normal(n.map(f64::from))).map(|x| x as f32)).collect()
+        }
+        None => crate::mesh::smooth_normals(&positions, &triangles),
+    };
+    let mesh = Mesh { positions, normals, uvs: uvs.iter().map(|&[u, v]| [u, 1.0 - v]).collect(), triangles };
+    mesh.validate()?;
+    Ok(mesh)
+}
+
+/// Lists (4), strips (5) and fans (6) as triangles.
+fn triangles(mode: u32, corners: &[u32]) -> Vec<[u32; 3]> {
+    match mode {
+        5 => (2..corners.len())
+            .map(|i| if i % 2 == 0 { [i - 2, i - 1, i] } else { [i - 1, i - 2, i] })
+            .map(|t| t.map(|i| corners[i]))
+            .collect(),
+        6 => (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]).collect(),
+        _ => corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect(),
+    }
+}

@@ -1,0 +1,226 @@
+//! Asset → file.
+
+use serde_json::{Map, Value, json};
+
+use super::{FORMAT, SPLATTING, XMP, container, splats};
+use crate::asset::{Asset, Material};
+use crate::mesh::unit;
+use crate::{Error, Label, Mesh, Result};
+
+const FLOAT: u32 = 5126;
+const UNSIGNED_SHORT: u32 = 5123;
+const UNSIGNED_INT: u32 = 5125;
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// Writes an asset as one node with one mesh for its parts, and one with the splats.
+///
+/// Positions become f32; normals have length 1; triangles with two corners at one vertex are left out; texture
+/// coordinates are written where the material has an image.
+///
+/// # Errors
+/// [`Error::Unsupported`] for what the format cannot hold: a mesh that is not valid or empty, a material or an image
+/// that does not exist, an image that is neither PNG nor JPEG, values that are not finite, 4 GiB and more.
+pub fn write(asset: &Asset) -> Result<Vec<u8>> {
+    let mut out = Buffer::default();
+    let mut nodes = Vec::new();
+    let mut meshes = Vec::new();
+    if !asset.parts.is_empty() {
+        let primitives = asset.parts.iter().enumerate().map(|(i, part)| {
+            if part.material.is_some_and(|m| m >= asset.materials.len()) {
+                return refuse(format!("part {i} names material {:?} of {}", part.material, asset.materials.len()));
+            }
+            let textured = part.material.is_some_and(|m| asset.materials[m].image.is_some());
+            let mut primitive = primitive(&part.mesh, textured, &mut out)
+                .map_err(|e| Error::unsupported(FORMAT, format!("part {i}: {e}")))?;
+            if let Some(material) = part.material {
+                primitive["material"] = material.into();
+            }
+            Ok(primitive)
+        });
+        let primitives: Vec<Value> = primitives.collect::<Result<_>>()?;
+        nodes.push(json!({ "mesh": meshes.len(), "name": asset.name }));
+        meshes.push(json!({ "name": asset.name, "primitives": primitives }));
+    }
+    if let Some(cloud) = &asset.splats {
+        nodes.push(json!({ "mesh": meshes.len(), "name": format!("{} splats", asset.name) }));
+        meshes.push(json!({ "primitives": [splats::write(cloud, &mut out)?] }));
+    }
+    if nodes.is_empty() {
+        return refuse("an asset needs a mesh or splats".into());
+    }
+    let images = asset.images.iter().map(|image| {
+        if !matches!(image.media_type.as_str(), "image/png" | "image/jpeg") {
+            return refuse(format!("an image must be image/png or image/jpeg, found {:?}", image.media_type));
+        }
+        Ok(json!({ "bufferView": out.view(&image.bytes, None), "mimeType": image.media_type }))
+    });
+    let images: Vec<Value> = images.collect::<Result<_>>()?;
+    let materials: Vec<Value> = asset.materials.iter().map(|m| material(m, images.len())).collect::<Result<_>>()?;
+
+    let mut used = Vec::new();
+    if asset.splats.is_some() {
+        used.push(SPLATTING);
+    }
+    let mut root = json!({
+        "asset": { "version": "2.0", "generator": "Orb" },
+        "scene": 0,
+        "scenes": [{ "nodes": (0..nodes.len()).collect::<Vec<_>>() }],
+        "nodes": nodes,
+        "meshes": meshes,
+        "accessors": out.accessors,
+        "bufferViews": out.views,
+        "buffers": [{ "byteLength": out.bytes.len() }],
+    });
+    if !materials.is_empty() {
+        root["materials"] = materials.into();
+    }
+    if !images.is_empty() {
+        root["textures"] = (0..images.len()).map(|i| json!({ "source": i, "sampler": 0 })).collect();
+        root["samplers"] = json!([{ "magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071 }]);
+        root["images"] = images.into();
+    }
+    if asset.label != Label::default() {
+        used.push(XMP);
+        mark(&mut root, &asset.label);
+    }
+    if !used.is_empty() {
+        root["extensionsUsed"] = used.into();
+    }
+    container::join(root.to_string().as_bytes(), &out.bytes)
+}
+
+/// The marking stands where people look (copyright), where machines look (XMP), and with the place in `extras`.
+fn mark(root: &mut Value, label: &Label) {
+    let mut extras = Map::new();
+    let mut packet = json!({
+        "@context": {
+            "dc": "http://purl.org/dc/elements/1.1/",
+            "rdf": "http://www.w3.org/1999/02/22-rdf-syntax-ns#",
+        },
+        "@id": "",
+        "dc:format": "model/gltf-binary",
+    });
+    if !label.marking.is_empty() {
+        extras.insert("marking".into(), label.marking.as_str().into());
+        root["asset"]["copyright"] = label.marking.as_str().into();
+        packet["dc:rights"] = json!({
+            "@type": "rdf:Alt",
+            "rdf:_1": { "@language": "x-default", "@value": label.marking },
+        });
+    }
+    if let Some(p) = &label.place {
+        extras.insert("place".into(), json!(p));
+        packet["dc:coverage"] = format!(
+            "WGS84 latitude {} longitude {} ellipsoidal height {} m, -Z points to {} degrees clockwise from true north",
+            p.latitude, p.longitude, p.height, p.heading
+        )
+        .into();
+    }
+    root["asset"]["extras"] = json!({ "orb": extras });
+    root["asset"]["extensions"] = json!({ XMP: { "packet": 0 } });
+    root["extensions"] = json!({ XMP: { "packets": [packet] } });
+}
+
+fn material(m: &Material, images: usize) -> Result<Value> {
+    let factors = m.base_color.iter().chain([&m.metallic, &m.roughness]);
+    if !factors.clone().all(|f| (0.0..=1.0).contains(f)) {
+        return refuse(format!("the factors of material {:?} must lie in 0..1", m.name));
+    }
+    let mut pbr = json!({
+        "baseColorFactor": m.base_color,
+        "metallicFactor": m.metallic,
+        "roughnessFactor": m.roughness,
+    });
+    if let Some(image) = m.image {
+        if image >= images {
+            return refuse(format!("material {:?} names image {image} of {images}", m.name));
+        }
+        pbr["baseColorTexture"] = json!({ "index": image });
+    }
+    let mut out = json!({ "pbrMetallicRoughness": pbr });
+    if !m.name.is_empty() {
+        out["name"] = m.name.as_str().into();
+    }
+    if m.double_sided {
+        out["doubleSided"] = true.into();
+    }
+    if m.base_color[3] < 1.0 {
+        out["alphaMode"] = "BLEND".into();
+    }
+    Ok(out)
+}
+
+fn primitive(mesh: &Mesh, textured: bool, out: &mut Buffer) -> Result<Value> {
+    mesh.validate()?;
+    let whole = |t: &&[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+    let corners: Vec<u32> = mesh.triangles.iter().filter(whole).flatten().copied().collect();
+    if corners.is_empty() {
+        return refuse("a mesh without a triangle".into());
+    }
+    let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|&[x, y, z]| [x as f32, z as f32, -y as f32]).collect();
+    let mut attributes = Map::new();
+    attributes.insert("POSITION".into(), out.floats(&positions, true).into());
+    let normals: Vec<[f32; 3]> =
+        mesh.normals.iter().map(|n| unit(n.map(f64::from))).map(|[x, y, z]| [x, z, -y]).collect();
+    attributes.insert("NORMAL".into(), out.floats(&normals, false).into());
+    if textured {
+        let uvs: Vec<[f32; 2]> = mesh.uvs.iter().map(|&[u, v]| [u, 1.0 - v]).collect();
+        attributes.insert("TEXCOORD_0".into(), out.floats(&uvs, false).into());
+    }
+    // 65535 is the restart value, which no index may have.
+    let short = mesh.positions.len() <= 65_535;
+    let bytes: Vec<u8> = if short {
+        corners.iter().flat_map(|&c| (c as u16).to_le_bytes()).collect()
+    } else {
+        corners.iter().flat_map(|c| c.to_le_bytes()).collect()
+    };
+    let view = out.view(&bytes, Some(ELEMENT_ARRAY_BUFFER));
+    let component = if short { UNSIGNED_SHORT } else { UNSIGNED_INT };
+    out.accessors
+        .push(json!({ "bufferView": view, "componentType": component, "count": corners.len(), "type": "SCALAR" }));
+    Ok(json!({ "attributes": attributes, "indices": out.accessors.len() - 1, "mode": 4 }))
+}
+
+/// The binary chunk in the making.
+#[derive(Default)]
+pub struct Buffer {
+    pub bytes: Vec<u8>,
+    pub views: Vec<Value>,
+    pub accessors: Vec<Value>,
+}
+
+impl Buffer {
+    /// Adds bytes at a multiple of 4; the number of their view.
+    pub fn view(&mut self, bytes: &[u8], target: Option<u32>) -> usize {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        let mut view = json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
+        if let Some(target) = target {
+            view["target"] = target.into();
+        }
+        self.bytes.extend_from_slice(bytes);
+        self.views.push(view);
+        self.views.len() - 1
+    }
+
+    /// Adds vectors of floats; the number of their accessor.
+    pub fn floats<const N: usize>(&mut self, values: &[[f32; N]], bounds: bool) -> usize {
+        let bytes: Vec<u8> = values.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        let view = self.view(&bytes, Some(ARRAY_BUFFER));
+        let kind = ["", "SCALAR", "VEC2", "VEC3", "VEC4"][N];
+        let mut accessor = json!({ "bufferView": view, "componentType": FLOAT, "count": values.len(), "type": kind });
+        if bounds {
+            let edge = |pick: fn(f32, f32) -> f32, start: f32| {
+                values.iter().fold([start; N], |edge, v| std::array::from_fn(|i| pick(edge[i], v[i]))).to_vec()
+            };
+            accessor["min"] = edge(f32::min, f32::INFINITY).into();
+            accessor["max"] = edge(f32::max, f32::NEG_INFINITY).into();
+        }
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+}
+
+fn refuse<T>(what: String) -> Result<T> {
+    Err(Error::unsupported(FORMAT, what))
+}

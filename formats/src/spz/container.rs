@@ -1,0 +1,244 @@
+//! Headers, compression, the comment.
+
+use std::io::{Read, Write};
+
+use flate2::bufread::GzDecoder;
+use flate2::{Compression, GzBuilder};
+
+use super::{FORMAT, Header, Version};
+use crate::{Error, Result};
+
+const MAGIC: &[u8; 4] = b"NGSP";
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+/// Bytes of the header before version 4, and of version 4.
+const SHORT: usize = 16;
+const LONG: usize = 32;
+const ANTIALIASED: u8 = 1;
+const EXTENSIONS: u8 = 2;
+/// The extension record of the comment: vendor `OR`, number 1.
+const COMMENT: u32 = 0x4f52_0001;
+const LEVEL: i32 = 12;
+/// Extensions behind the streams of a gzip file, bytes.
+const MAX_EXTENSIONS: u64 = 1 << 20;
+/// What may always be unfolded, and how many times its own size a file may unfold to beyond that.
+const ALWAYS: usize = 1 << 20;
+const RATIO: usize = 200;
+
+/// A file of streams.
+pub fn join(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
+    match header.version {
+        Version::V4 => join_streams(header, streams, comment),
+        _ => join_gzip(header, streams, comment),
+    }
+}
+
+/// The first 14 bytes, the flags and one more.
+fn head(header: &Header, flags: u8, last: u8) -> Vec<u8> {
+    let mut out = MAGIC.to_vec();
+    out.extend((header.version as u32).to_le_bytes());
+    out.extend((header.count as u32).to_le_bytes());
+    out.extend([header.degree as u8, header.fractional_bits as u8, flags, last]);
+    out
+}
+
+fn join_gzip(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
+    // No time stamp and no name of a system: same splats, same bytes.
+    let mut gzip = GzBuilder::new().mtime(0).operating_system(255);
+    if !comment.is_empty() {
+        gzip = gzip.comment(comment);
+    }
+    let failed = |e: std::io::Error| Error::unsupported(FORMAT, e.to_string());
+    let mut out = gzip.write(Vec::new(), Compression::default());
+    let flags = if header.antialiased { ANTIALIASED } else { 0 };
+    out.write_all(&head(header, flags, 0)).map_err(failed)?;
+    for stream in streams {
+        out.write_all(stream).map_err(failed)?;
+    }
+    out.finish().map_err(failed)
+}
+
+fn join_streams(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
+    let kept: Vec<&Vec<u8>> = streams.iter().filter(|s| !s.is_empty()).collect();
+    let mut flags = if header.antialiased { ANTIALIASED } else { 0 };
+    let mut extension = Vec::new();
+    if !comment.is_empty() {
+        flags |= EXTENSIONS;
+        extension.extend(COMMENT.to_le_bytes());
+        extension.extend((comment.len() as u32).to_le_bytes());
+        extension.extend(comment.as_bytes());
+    }
+    let mut out = head(header, flags, kept.len() as u8);
+    out.extend(((LONG + extension.len()) as u32).to_le_bytes());
+    out.resize(LONG, 0);
+    out.extend(extension);
+    let packed = kept.iter().map(|s| zstd::bulk::compress(s, LEVEL)).collect::<std::io::Result<Vec<_>>>();
+    let packed = packed.map_err(|e| Error::unsupported(FORMAT, format!("Zstandard: {e}")))?;
+    for (stream, packed) in kept.iter().zip(&packed) {
+        out.extend((packed.len() as u64).to_le_bytes());
+        out.extend((stream.len() as u64).to_le_bytes());
+    }
+    packed.iter().for_each(|p| out.extend_from_slice(p));
+    Ok(out)
+}
+
+/// Header, streams and comment of a file; the streams have the lengths that the header asks for.
+pub fn split(bytes: &[u8]) -> Result<(Header, [Vec<u8>; 6], String)> {
+    if bytes.starts_with(&GZIP) {
+        split_gzip(bytes)
+    } else if bytes.starts_with(MAGIC) {
+        split_streams(bytes)
+    } else {
+        let found = format!("{:02x?}", &bytes[..bytes.len().min(4)]);
+        Err(Error::malformed(FORMAT, 0, "a gzip stream or NGSP", found))
+    }
+}
+
+pub fn comment(bytes: &[u8]) -> String {
+    if bytes.starts_with(&GZIP) {
+        GzDecoder::new(bytes).header().map(gzip_comment).unwrap_or_default()
+    } else if bytes.starts_with(MAGIC) {
+        extension_comment(bytes).unwrap_or_default()
+    } else {
+        String::new()
+    }
+}
+
+fn gzip_comment(header: &flate2::GzHeader) -> String {
+    String::from_utf8_lossy(header.comment().unwrap_or_default()).into_owned()
+}
+
+fn split_gzip(bytes: &[u8]) -> Result<(Header, [Vec<u8>; 6], String)> {
+    let mut gzip = GzDecoder::new(bytes);
+    let comment = gzip.header().map(gzip_comment).unwrap_or_default();
+    let mut first = [0; SHORT];
+    let broken = |e: std::io::Error| Error::malformed(FORMAT, 0, "a whole gzip stream", e.to_string());
+    gzip.read_exact(&mut first).map_err(broken)?;
+    let (header, _) = read_head(&first)?;
+    if header.version == Version::V4 {
+        return Err(Error::malformed(FORMAT, 4, "version 2 or 3 inside gzip", "4"));
+    }
+    check_ratio(&header, bytes.len())?;
+    let mut streams: [Vec<u8>; 6] = Default::default();
+    for (stream, size) in streams.iter_mut().zip(header.sizes()) {
+        // Grows with what is really there.
+        gzip.by_ref().take(size as u64).read_to_end(stream).map_err(broken)?;
+        if stream.len() != size {
+            let found = format!("{} bytes", stream.len());
+            return Err(Error::malformed(FORMAT, bytes.len(), format!("a stream of {size} bytes"), found));
+        }
+    }
+    // What follows are extensions, then the check sum, which must be read to be checked.
+    let rest = std::io::copy(&mut gzip.by_ref().take(MAX_EXTENSIONS), &mut std::io::sink()).map_err(broken)?;
+    if rest == MAX_EXTENSIONS {
+        return Err(Error::unsupported(FORMAT, format!("more than {MAX_EXTENSIONS} bytes of extensions")));
+    }
+    Ok((header, streams, comment))
+}
+
+fn split_streams(bytes: &[u8]) -> Result<(Header, [Vec<u8>; 6], String)> {
+    let (header, streams) = read_head(bytes)?;
+    if header.version != Version::V4 {
+        return Err(Error::malformed(FORMAT, 4, "version 4 outside gzip", (header.version as u32).to_string()));
+    }
+    check_ratio(&header, bytes.len())?;
+    let sizes = header.sizes();
+    let expected = sizes.iter().filter(|s| **s > 0).count();
+    if usize::from(streams) != expected {
+        return Err(Error::malformed(FORMAT, 15, format!("{expected} streams"), streams.to_string()));
+    }
+    let short = |at: usize| Error::malformed(FORMAT, at, "a table of contents inside the file", "its end");
+    let contents = u32_at(bytes, SHORT).ok_or_else(|| short(SHORT))? as usize;
+    let mut at = contents.checked_add(16 * expected).filter(|end| contents >= LONG && *end <= bytes.len());
+    let mut out: [Vec<u8>; 6] = Default::default();
+    for (index, (stream, size)) in out.iter_mut().zip(sizes).filter(|(_, size)| *size > 0).enumerate() {
+        let start = at.ok_or_else(|| short(contents))?;
+        let entry = contents + 16 * index;
+        let (packed, full) = (u64_at(bytes, entry), u64_at(bytes, entry + 8));
+        if full != Some(size as u64) {
+            let found = format!("{}", full.unwrap_or_default());
+            return Err(Error::malformed(FORMAT, entry + 8, format!("a stream of {size} bytes"), found));
+        }
+        let end = packed.and_then(|p| usize::try_from(p).ok()).and_then(|p| start.checked_add(p));
+        let Some(packed) = end.and_then(|end| bytes.get(start..end)) else {
+            return Err(Error::malformed(
+                FORMAT,
+                entry,
+                format!("a stream inside {} bytes", bytes.len()),
+                "a longer one",
+            ));
+        };
+        let broken = |e: std::io::Error| Error::malformed(FORMAT, start, "a Zstandard stream", e.to_string());
+        let decoder = zstd::stream::read::Decoder::with_buffer(packed).map_err(broken)?;
+        decoder.take(size as u64 + 1).read_to_end(stream).map_err(broken)?;
+        if stream.len() != size {
+            let found = format!("{} or more", stream.len());
+            return Err(Error::malformed(FORMAT, start, format!("{size} bytes unfolded"), found));
+        }
+        at = end;
+    }
+    Ok((header, out, extension_comment(bytes).unwrap_or_default()))
+}
+
+/// The header and its last byte, the number of streams of version 4.
+fn read_head(bytes: &[u8]) -> Result<(Header, u8)> {
+    let Some(&[degree, fractional_bits, flags, last]) = bytes.get(12..16) else {
+        return Err(Error::malformed(FORMAT, bytes.len(), "a header of 16 bytes", "the end"));
+    };
+    if !bytes.starts_with(MAGIC) {
+        return Err(Error::malformed(FORMAT, 0, "NGSP", format!("{:02x?}", &bytes[..4])));
+    }
+    let (version, count) = (u32_at(bytes, 4).unwrap_or(0), u32_at(bytes, 8).unwrap_or(0));
+    let Some(version) = Version::of(version) else {
+        return Err(Error::unsupported(FORMAT, format!("version {version}; 2, 3 and 4 are read")));
+    };
+    if degree > 3 {
+        return Err(Error::unsupported(FORMAT, format!("harmonics of degree {degree}; 0 to 3 are read")));
+    }
+    if fractional_bits > 24 {
+        return Err(Error::malformed(FORMAT, 13, "at most 24 fractional bits", fractional_bits.to_string()));
+    }
+    let header = Header {
+        version,
+        count: count as usize,
+        degree: degree.into(),
+        fractional_bits: fractional_bits.into(),
+        antialiased: flags & ANTIALIASED != 0,
+    };
+    Ok((header, last))
+}
+
+fn check_ratio(header: &Header, size: usize) -> Result<()> {
+    let unfolded = header.sizes().iter().sum::<usize>();
+    if unfolded > ALWAYS && unfolded / RATIO > size {
+        let what = format!("{} splats would unfold to {unfolded} bytes, from a file of {size}", header.count);
+        return Err(Error::unsupported(FORMAT, what));
+    }
+    Ok(())
+}
+
+/// Extension records stand between header and table of contents: type, length, content.
+fn extension_comment(bytes: &[u8]) -> Option<String> {
+    let contents = u32_at(bytes, SHORT)? as usize;
+    let mut records = bytes.get(LONG..contents)?;
+    if bytes[14] & EXTENSIONS == 0 {
+        return None;
+    }
+    loop {
+        let (kind, length) = (u32_at(records, 0)?, u32_at(records, 4)? as usize);
+        let content = records.get(8..)?.get(..length)?;
+        if kind == COMMENT {
+            return Some(String::from_utf8_lossy(content).into_owned());
+        }
+        records = &records[8 + length..];
+    }
+}
+
+fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
+    let b = bytes.get(at..at + 4)?;
+    Some(u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+}
+
+fn u64_at(bytes: &[u8], at: usize) -> Option<u64> {
+    let (low, high) = (u32_at(bytes, at)?, u32_at(bytes, at + 4)?);
+    Some(u64::from(high) << 32 | u64::from(low))
+}

@@ -1,0 +1,193 @@
+//! `orb cdb check`: a CDB store against the rules that can be checked without its simulator.
+
+use std::io;
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+use orb_formats::cdb::{self, ListableStore, Store, Verdict};
+use serde_json::json;
+
+use super::audit::Outcome;
+use crate::export::format_error;
+use crate::{Error, Result};
+
+#[derive(Debug, Args)]
+pub struct CdbArgs {
+    #[command(subcommand)]
+    pub verb: CdbVerb,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum CdbVerb {
+    /// Say of every rule whether the store passes it, breaks it, or has nothing that it speaks of
+    Check(CheckArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    /// The root of a store: the folder that holds Metadata and Tiles
+    pub root: PathBuf,
+    /// One JSON object on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Runs the verb: exit code 1 where a rule is broken.
+///
+/// # Errors
+/// Usage for a folder that is no store, environment for one that cannot be read.
+pub fn run(args: &CdbArgs) -> Result<Outcome> {
+    let CdbVerb::Check(args) = &args.verb;
+    if !args.root.is_dir() {
+        return Err(Error::usage(args.root.display().to_string()).expected("the root folder of a CDB store"));
+    }
+    if !args.root.join("Metadata").is_dir() && !args.root.join("Tiles").is_dir() {
+        return Err(Error::usage(args.root.display().to_string())
+            .expected("a folder with Metadata or Tiles in it")
+            .found("neither"));
+    }
+    let report = cdb::report(&Folder { root: args.root.clone() }).map_err(format_error)?;
+    let broken = report.rules.iter().any(|r| matches!(r.verdict, Verdict::Fail(_)));
+    let text = if args.json { json_text(&report) } else { plain_text(&report) };
+    Ok(Outcome { text, exit_code: u8::from(broken) })
+}
+
+fn plain_text(report: &cdb::Report) -> String {
+    let mut out = format!("{} files\n", report.files);
+    for rule in &report.rules {
+        let (word, detail) = match &rule.verdict {
+            Verdict::Pass => ("pass", String::new()),
+            Verdict::NotApplicable(why) => ("n/a ", format!(" ({why})")),
+            Verdict::Fail(findings) => ("FAIL", format!(" ({} findings)", findings.len())),
+        };
+        out += &format!("{word} {:2} {} [{}]{detail}\n", rule.number, rule.title, rule.source);
+        if let Verdict::Fail(findings) = &rule.verdict {
+            for f in findings {
+                out += &format!("        {}: {}\n", f.path, f.text);
+            }
+        }
+    }
+    out
+}
+
+fn json_text(report: &cdb::Report) -> String {
+    let rules: Vec<_> = report
+        .rules
+        .iter()
+        .map(|r| {
+            let (verdict, why, findings) = match &r.verdict {
+                Verdict::Pass => ("pass", None, Vec::new()),
+                Verdict::NotApplicable(why) => ("not applicable", Some(*why), Vec::new()),
+                Verdict::Fail(all) => {
+                    ("fail", None, all.iter().map(|f| json!({"path": f.path, "text": f.text})).collect())
+                }
+            };
+            json!({"rule": r.number, "title": r.title, "source": r.source, "verdict": verdict, "why": why,
+                   "findings": findings})
+        })
+        .collect();
+    format!("{}\n", json!({"schema": "orb.cdb-check/v1", "files": report.files, "rules": rules}))
+}
+
+/// A store in a folder.
+struct Folder {
+    root: PathBuf,
+}
+
+impl Store for Folder {
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
+        match std::fs::read(self.root.join(path)) {
+            Ok(bytes) => Ok(Some(bytes)),
+            Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::IsADirectory) => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
+
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        Ok(self.root.join(path).is_file())
+    }
+}
+
+impl ListableStore for Folder {
+    fn list(&self) -> io::Result<Vec<String>> {
+        let mut found = Vec::new();
+        let mut open = vec![(self.root.clone(), String::new())];
+        while let Some((folder, prefix)) = open.pop() {
+            for entry in std::fs::read_dir(&folder)? {
+                let entry = entry?;
+                let name = entry.file_name().into_string().map_err(|n| {
+                    io::Error::new(io::ErrorKind::InvalidData, format!("the name {n:?} in {prefix} is no Unicode"))
+                })?;
+                let path = format!("{prefix}{name}");
+                // Links are not followed: a store is its own files.
+                if entry.file_type()?.is_dir() {
+                    open.push((entry.path(), format!("{path}/")));
+                } else if entry.file_type()?.is_file() {
+                    found.push(path);
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use orb_formats::{Image, Mesh};
+
+    fn store(root: &Path) {
+        let mesh = Mesh {
+            positions: vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 2.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 4],
+            uvs: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+        };
+        let texture = Image { width: 4, height: 4, channels: 3, pixels: vec![90; 48] };
+        let model = cdb::GsModel {
+            name: "crate".into(),
+            facc: "UA005".into(),
+            fsc: 0,
+            latitude: 34.5523,
+            longitude: -118.4712,
+            height: 740.0,
+            heading: 30.0,
+            levels: vec![cdb::Level { mesh, significant_size: 3.0, texture }],
+            marking: "CLASSIFICATION: UNCLASSIFIED".into(),
+            date: "Mon Jan  1 00:00:00 2024".into(),
+            dbf_date: (2024, 1, 1),
+            comment: "made by Orb".into(),
+        };
+        let added = cdb::add_model(&cdb::Empty, &model).unwrap();
+        for folder in &added.folders {
+            std::fs::create_dir_all(root.join(folder)).unwrap();
+        }
+        for file in &added.files {
+            let path = root.join(&file.path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, &file.bytes).unwrap();
+        }
+    }
+
+    fn check(root: &Path, json: bool) -> Result<Outcome> {
+        run(&CdbArgs { verb: CdbVerb::Check(CheckArgs { root: root.into(), json }) })
+    }
+
+    #[test]
+    fn a_store_passes_and_a_damaged_one_fails_by_rule() {
+        let dir = tempfile::tempdir().unwrap();
+        store(dir.path());
+        let good = check(dir.path(), false).unwrap();
+        assert_eq!(good.exit_code, 0, "{}", good.text);
+        assert!(good.text.contains("pass  3 ") && !good.text.contains("FAIL"), "{}", good.text);
+        std::fs::write(dir.path().join("Metadata/Version.xml"), "<Version/>").unwrap();
+        let bad = check(dir.path(), true).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&bad.text).unwrap();
+        let rules = value["rules"].as_array().unwrap();
+        let verdict = |n: u64| rules.iter().find(|r| r["rule"] == n).unwrap()["verdict"].as_str().unwrap();
+        assert_eq!((bad.exit_code, verdict(12), verdict(1)), (1, "fail", "pass"));
+        assert!(check(&dir.path().join("Metadata"), false).is_err());
+    }
+}

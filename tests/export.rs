@@ -1,0 +1,189 @@
+//! `orb export` and `orb cdb check` as a user runs them.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+use orb_formats::{Splats, glb, ply, spz, tiles3d, usdz};
+
+/// One data folder (key, trust, ledger) for the whole test program.
+fn data() -> &'static Path {
+    static DATA: OnceLock<tempfile::TempDir> = OnceLock::new();
+    DATA.get_or_init(|| tempfile::tempdir().unwrap()).path()
+}
+
+fn orb(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_orb")).args(args).env("ORB_DATA_DIR", data()).output().unwrap()
+}
+
+fn said(out: &Output) -> String {
+    format!("{}{}", String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr))
+}
+
+fn succeeds(args: &[&str]) -> String {
+    let out = orb(args);
+    assert!(out.status.success(), "{args:?}: {}", said(&out));
+    said(&out)
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// A ball of splats, 3 m across, standing 10 m east of the origin.
+fn ball() -> Splats {
+    let count = 4000;
+    let point = |i: usize| {
+        let z = 1.0 - (2 * i + 1) as f32 / count as f32;
+        let (r, phi) = ((1.0 - z * z).sqrt(), i as f32 * 2.399_963);
+        [10.0 + 1.5 * r * phi.cos(), 1.5 * r * phi.sin(), 1.5 * z]
+    };
+    let color = |i: usize| -> [[f32; 3]; 16] {
+        std::array::from_fn(|b| if b == 0 { [1.0, (i % 100) as f32 / 100.0 - 0.5, -0.5] } else { [0.0; 3] })
+    };
+    Splats {
+        positions: (0..count).map(point).collect(),
+        log_scales: vec![[-2.6; 3]; count],
+        rotations: vec![[1.0, 0.0, 0.0, 0.0]; count],
+        logit_opacities: vec![6.0; count],
+        sh: (0..count).map(color).collect(),
+    }
+}
+
+const EVERYTHING: &str = "cdb,flt,glb,usdz,tiles3d,ply,spz,splat-glb";
+
+/// Everything, from splats that another program wrote; looked at by several tests.
+fn from_splats() -> &'static Path {
+    static DONE: OnceLock<tempfile::TempDir> = OnceLock::new();
+    let dir = DONE.get_or_init(|| {
+        let dir = tempfile::tempdir().unwrap();
+        let scene = dir.path().join("ball.ply");
+        std::fs::write(&scene, ply::write(&ball(), &["made by hand".into()]).unwrap()).unwrap();
+        let out = dir.path().join("out");
+        let origin = ["--origin", "34.5523,-118.4712,740", "--heading", "45"];
+        let rest = ["--format", EVERYTHING, "-o", text(&out)];
+        succeeds(&[&["export", text(&scene)], &origin[..], &rest[..]].concat());
+        dir
+    });
+    dir.path()
+}
+
+#[test]
+fn splats_become_every_format() {
+    let out = from_splats().join("out");
+    let read = |name: &str| std::fs::read(out.join(name)).unwrap();
+    let (scene, _) = ply::read(&read("scene.ply")).unwrap();
+    assert_eq!(scene.positions.len(), 4000);
+    // Put onto the ground under its centre.
+    let lowest = scene.positions.iter().map(|p| p[2]).fold(f32::INFINITY, f32::min);
+    let middle: f32 = scene.positions.iter().map(|p| p[0]).sum::<f32>() / 4000.0;
+    assert!(lowest.abs() < 0.3 && middle.abs() < 0.1, "{lowest} {middle}");
+    assert_eq!(spz::read(&read("ball.spz"), spz::Axes::RUB).unwrap().0.positions.len(), 4000);
+    assert_eq!(glb::read(&read("ball_splats.glb")).unwrap().splats.unwrap().positions.len(), 4000);
+    for name in ["ball.glb", "ball_lod1.glb", "tiles3d/lod0.glb", "tiles3d/lod1.glb"] {
+        let (low, high) = glb::read(&read(name)).unwrap().parts[0].mesh.bounds().unwrap();
+        for axis in 0..3 {
+            let across = high[axis] - low[axis];
+            assert!((2.7..3.6).contains(&across), "{name} is {across} m across on axis {axis}");
+        }
+        assert!((0.0..0.1).contains(&low[2]), "{name} stands {} m above the ground", low[2]);
+    }
+    assert_eq!(usdz::read(&read("ball.usdz")).unwrap().label.place.unwrap().heading, 45.0);
+    let tileset = tiles3d::read(&read("tiles3d/tileset.json")).unwrap();
+    let errors: Vec<f64> =
+        std::iter::successors(Some(&tileset.root), |t| t.children.first()).map(|t| t.geometric_error).collect();
+    assert!(errors.len() == 4 && errors[3] == 0.0 && errors.is_sorted_by(|a, b| a >= b), "{errors:?}");
+    succeeds(&["audit", "verify", text(&out)]);
+    let checked = succeeds(&["cdb", "check", text(&out.join("ball.cdb"))]);
+    assert!(checked.contains("pass 12") && !checked.contains("FAIL"), "{checked}");
+}
+
+#[test]
+fn a_marking_changed_inside_is_found_in_every_format() {
+    let out = from_splats().join("out");
+    let copy = tempfile::tempdir().unwrap();
+    let to = copy.path().join("out");
+    for name in
+        ["ball.glb", "ball.usdz", "ball.spz", "scene.ply", "tiles3d/tileset.json", "ball.flt", "ball_0.rgb.attr"]
+    {
+        succeeds_to_copy(&out, &to);
+        let path = to.join(name);
+        let bytes = std::fs::read(&path).unwrap();
+        let line = b"CLASSIFICATION: UNCLASSIFIED";
+        let found = bytes.windows(line.len()).position(|w| w == line).unwrap_or_else(|| panic!("{name} is not marked"));
+        let mut changed = bytes.clone();
+        changed[found..found + line.len()].copy_from_slice(b"CLASSIFICATION: TOP SECRET  ");
+        std::fs::write(&path, &changed).unwrap();
+        let verified = orb(&["audit", "verify", text(&to)]);
+        let words = said(&verified);
+        assert_eq!(verified.status.code(), Some(1), "{name}: {words}");
+        assert!(words.contains("MARKING_INBAND_MISMATCH"), "{name}: {words}");
+        assert!(words.contains("OUTPUT_DIGEST") && words.contains(name), "{name}: {words}");
+    }
+}
+
+fn succeeds_to_copy(from: &Path, to: &Path) {
+    let _ = std::fs::remove_dir_all(to);
+    assert!(Command::new("cp").arg("-r").args([from, to]).status().unwrap().success());
+}
+
+#[test]
+fn a_model_of_others_becomes_every_format_with_a_surface() {
+    let dir = tempfile::tempdir().unwrap();
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/truth/play_house/mesh.glb");
+    let out = dir.path().join("out");
+    let formats = "cdb,flt,glb,usdz,tiles3d";
+    succeeds(&["export", text(&model), "--origin", "-33.9,151.2,5", "--format", formats, "-o", text(&out)]);
+    let bounds = |path: PathBuf| {
+        let parts = glb::read(&std::fs::read(path).unwrap()).unwrap().parts;
+        let all: Vec<_> = parts.iter().filter_map(|p| p.mesh.bounds()).collect();
+        let edge = |k: usize| {
+            let low = all.iter().map(|b| b.0[k]).fold(f64::INFINITY, f64::min);
+            all.iter().map(|b| b.1[k]).fold(f64::NEG_INFINITY, f64::max) - low
+        };
+        [edge(0), edge(1), edge(2)]
+    };
+    let (before, after) = (bounds(model.clone()), bounds(out.join("mesh.glb")));
+    assert!((0..3).all(|k| (before[k] - after[k]).abs() < 1e-4), "{before:?} {after:?}");
+    succeeds(&["audit", "verify", text(&out)]);
+    succeeds(&["cdb", "check", text(&out.join("mesh.cdb"))]);
+    // A second model into the same store.
+    let store = out.join("mesh.cdb");
+    let again = dir.path().join("again");
+    let place = ["--origin", "-33.901,151.2,5", "--format", "cdb", "--cdb", text(&store), "-o", text(&again)];
+    succeeds(&[&["export", text(&model)], &place[..]].concat());
+    succeeds(&["cdb", "check", text(&store)]);
+    // What Orb wrote knows its place, and its own reader takes it back.
+    let third = dir.path().join("third");
+    let first = out.join("mesh.glb");
+    succeeds(&["export", text(&first), "--format", "flt", "--flt-geometry", "meshes", "-o", text(&third)]);
+    assert!(third.join("mesh.flt").metadata().unwrap().len() < out.join("mesh.flt").metadata().unwrap().len());
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let marked = dir.path().join("marked.ply");
+    std::fs::write(&marked, ply::write(&ball(), &["CLASSIFICATION: CUI".into()]).unwrap()).unwrap();
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/truth/shipping_container/mesh.glb");
+    let (marked, model) = (text(&marked), text(&model));
+    let out = dir.path().join("out");
+    let place = ["--origin", "0,0,0"];
+    let table: [(&[&str], i32, &str); 7] = [
+        (&[marked, "--format", "spz", place[0], place[1]], 4, "--key"),
+        (&[marked, "--format", "spz", "--classification", "UNCLASSIFIED", place[0], place[1]], 4, "CUI"),
+        (&[model, "--format", "glb"], 2, "--origin"),
+        (&[model, "--format", "spz", place[0], place[1]], 2, "without Gaussians"),
+        (&[model, "--format", "glb", "--scale", "-1", place[0], place[1]], 2, "--scale"),
+        (&["Cargo.toml", "--format", "glb", place[0], place[1]], 2, "PLY or SPZ"),
+        (&[model, "--format", "dxf", place[0], place[1]], 2, "dxf"),
+    ];
+    for (args, code, words) in table {
+        let done = orb(&[&["export"], args, &["-o", text(&out)]].concat());
+        assert_eq!(done.status.code(), Some(code), "{args:?}: {}", said(&done));
+        assert!(said(&done).contains(words), "{args:?}: {}", said(&done));
+        assert!(!out.exists());
+    }
+    let none = orb(&["cdb", "check", text(dir.path())]);
+    assert_eq!(none.status.code(), Some(2), "{}", said(&none));
+}
