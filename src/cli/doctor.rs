@@ -213,7 +213,7 @@ fn disk(topic: &'static str, path: &Path) -> Finding {
     match there.as_deref().and_then(free_space) {
         None => finding(topic, State::Note, format!("{}: free space unknown", path.display()), ""),
         Some(free) if free < LITTLE_DISK => {
-            finding(topic, State::Problem, format!("{}: {} MiB free", path.display(), free >> 20), "make room")
+            finding(topic, State::Note, format!("{}: {} MiB free", path.display(), free >> 20), "make room")
         }
         Some(free) => finding(topic, State::Good, format!("{}: {} GiB free", path.display(), free >> 30), ""),
     }
