@@ -121,8 +121,8 @@ fn one(
         own.cdb = store.map(Path::to_owned);
         let photo = line.apply(&mut own)?;
         let photo = base.join(photo);
-        let name = line.get("name").map_or_else(|| super::safe_stem(&photo), str::to_owned);
-        if super::safe_stem(Path::new(&format!("{name}.x"))) != name {
+        let name = line.get("name").map_or_else(|| super::super::format::safe_stem(&photo), str::to_owned);
+        if super::super::format::safe_stem(Path::new(&format!("{name}.x"))) != name {
             return Err(Error::usage("name")
                 .expected("letters, digits, _ and -, 24 at most")
                 .found(format!("`{name}`")));
