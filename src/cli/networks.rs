@@ -134,7 +134,6 @@ pub fn choose(
             .found("more, and none imported")
             .advice("Import SAM 2 or MobileSAM (`orb models import`), or bring a mask: --mask FILE."));
     }
-    let prompted = !args.point.is_empty() || args.bounds.is_some();
     let point = (!args.point.is_empty()).then(|| prompt.points[0]);
     let wanted = |manifest: Option<Manifest>, taken: bool| match manifest {
         Some(m) if !taken => registry.verified(&m).map(Some),
