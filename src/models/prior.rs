@@ -18,7 +18,7 @@ pub struct Weights {
 pub const SCENE: Weights = Weights {
     id: "orb-scene-net",
     version: "0.2",
-    sha256: "5bd729f926d718e58b05dfac60d1a771f8792db5c913d1effafa93aade6c53e5",
+    sha256: "07181070b454efcaad61dac3878bd183d5742a4e7ce6f0de9dc554e850ee6d43",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
