@@ -10,6 +10,7 @@ use orb::geo::sidecar::{self, Georeference};
 use orb::geo::{Ecef, Geodetic, HeadingSource, Placement, Uncertainty, footprint};
 use orb::mesh::{Level, Mesh};
 use orb_formats::cdb;
+use orb_formats::openflight::Geometry;
 
 /// Metres a unit of the box.
 const SCALE: f64 = 4.2;
@@ -36,7 +37,7 @@ fn solid() -> Level {
         }
     }
     let texture = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([(x * 30) as u8, (y * 30) as u8, 90]));
-    Level { mesh, texture, error: 0.0, error_to_coarser: 1.2, seen: 1.0, mirrored: 0.0 }
+    Level { mesh, texture, error: 0.0, mean_error: 0.0, error_to_coarser: 1.2, seen: 1.0, mirrored: 0.0 }
 }
 
 /// The eight corners in the subject frame, metres: the origin lies under the middle of the box.
@@ -157,7 +158,9 @@ fn openflight_corners() {
     let to_metres = ToMetres::new(&level.mesh, SCALE);
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let files = export::flt(std::slice::from_ref(&level), &to_metres, &placement, &labels()).unwrap();
+        let files =
+            export::flt(&to_metres.levels(std::slice::from_ref(&level)), Geometry::Faces, &placement, &labels())
+                .unwrap();
         write(dir.path(), &files);
         // The header has a place for latitude and longitude but none for a height, and OpenSceneGraph skips it: those of
         // the format come from Orb's own reader, the height from the placement.
@@ -186,7 +189,7 @@ fn store_corners() {
     let to_metres = ToMetres::new(&level.mesh, SCALE);
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let model = export::gs_model(std::slice::from_ref(&level), &to_metres, &placement, &labels());
+        let model = export::gs_model(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels());
         write(dir.path(), &cdb::add_model(&cdb::Empty, &model).unwrap().files);
         let (mut archives, mut shapes, mut flights) = (vec![], vec![], vec![]);
         find(dir.path(), ".zip", &mut archives);

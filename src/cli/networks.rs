@@ -140,6 +140,7 @@ pub fn choose(
         _ => Ok(None),
     };
     // A photo that is cut out says where its subject is; a network is asked all the same where the user points.
+    let prompted = point.is_some() || args.bounds.is_some();
     let cut_out = photo.cutout.is_some() && !prompted && !picked.named;
     let mask = wanted(picked.mask, given_mask.is_some() || cut_out)?;
     let depth = wanted(picked.depth, false)?;

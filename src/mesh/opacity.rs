@@ -48,11 +48,10 @@ fn field(g: &Gaussians, voxels: usize, level: f32) -> Volume {
         .collect();
     sums.par_chunks_mut(slice * slab).enumerate().for_each(|(chunk, sums)| {
         let (z0, z1) = (chunk * slab, (chunk * slab + sums.len() / slice).min(dims[2]));
-        for i in 0..g.len() {
+        for (i, r) in rotations.iter().enumerate() {
             let scale = g.log_scales[i].exp();
             let opacity = 1.0 / (1.0 + (-g.logit_opacities[i]).exp());
             let center = (g.positions[i] - lo) / voxel;
-            let r = rotations[i];
             // Half the box: the norm of each row of R diag(s).
             let half = Vec3::from_array(std::array::from_fn(|k| REACH * (r.col(k) * scale).length() / voxel));
             if !(center.is_finite() && half.is_finite())

@@ -48,7 +48,7 @@ impl Evidence {
         let depth: Vec<f32> = (0..size * size).map(|i| if solid(i) { frame.median_depth[i] } else { 0.0 }).collect();
         let on: Vec<bool> = mask.iter().map(|m| m[0] > 0.5).collect();
         let points: Vec<(Vec3, [f32; 3])> = (0..size * size)
-            .filter(|&i| depth[i] > 0.0 && (i % size + i / size) % 2 == 0)
+            .filter(|&i| depth[i] > 0.0 && (i % size + i / size).is_multiple_of(2))
             .map(|i| (lifted(&camera, i, depth[i]), color[i]))
             .collect();
         let mut shape = Vec::new();

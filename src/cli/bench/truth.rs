@@ -37,7 +37,8 @@ pub fn read(folder: &Path) -> Result<Truth> {
     let no = |what: &str| Error::usage(path.display().to_string()).expected(what.to_owned()).found("none");
     let views = list["views"].as_array().ok_or_else(|| no("views"))?;
     let photos = || views.iter().filter(|v| v["group"] == "photo");
-    let photo = photos().find(|v| v["name"] == "outdoor").or_else(|| photos().last()).ok_or_else(|| no("a photo"))?;
+    let photo =
+        photos().find(|v| v["name"] == "outdoor").or_else(|| photos().next_back()).ok_or_else(|| no("a photo"))?;
     let at = |i: usize| photo["w2c_opencv"][2][i].as_f64().ok_or_else(|| no("w2c_opencv"));
     let forward = Vec3::new(at(0)? as f32, at(1)? as f32, 0.0);
     let mut shown = Vec::new();

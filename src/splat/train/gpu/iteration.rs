@@ -77,10 +77,13 @@ pub enum Finish<'a> {
 pub struct Iteration {
     pub plan: Plan,
     /// Translation and rotation, a workgroup of the update.
+    #[cfg(test)]
     pub pose_partials: Buffer,
     /// Σ|x − y| and Σ(1 − SSIM) a tile.
+    #[cfg(test)]
     pub sums: Buffer,
     /// ∂L/∂(Σ w rgb), ∂L/∂(final transmittance) a pixel.
+    #[cfg(test)]
     pub pulls: Buffer,
     pub bytes: u64,
     begin: Step,
@@ -204,8 +207,11 @@ impl Iteration {
         let bytes = plan.bytes + 52 * pixels + 8 * tiles + 32 * u64::from(groups);
         Some(Iteration {
             plan,
+            #[cfg(test)]
             pose_partials,
+            #[cfg(test)]
             sums,
+            #[cfg(test)]
             pulls,
             bytes,
             begin,

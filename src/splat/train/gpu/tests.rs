@@ -156,15 +156,14 @@ fn same(got: &All, want: &All, what: &str) {
     let n = want.core.len();
     for (first, end, name) in kinds {
         let largest = want.core.iter().flat_map(|c| &c[first..end]).fold(0f32, |a, b| a.max(b.abs()));
-        let off = |i: usize| (first..end).any(|k| !((got.core[i][k] - want.core[i][k]).abs() <= 2e-3 * largest + 1e-9));
+        let off = |i: usize| !(first..end).all(|k| (got.core[i][k] - want.core[i][k]).abs() <= 2e-3 * largest + 1e-9);
         let bad: Vec<usize> = (0..n).filter(|i| off(*i)).collect();
         assert!(bad.len() * 100 <= n, "{what}: {name} of {bad:?}: {:?} {:?}", got.core[bad[0]], want.core[bad[0]]);
         assert!(largest > 0.0 || n < 3, "{what}: no {name}");
     }
     let largest = want.sh.iter().flatten().fold(0f32, |a, b| a.max(b.abs()));
-    let bad: Vec<usize> = (0..n)
-        .filter(|i| (0..48).any(|k| !((got.sh[*i][k] - want.sh[*i][k]).abs() <= 2e-3 * largest + 1e-9)))
-        .collect();
+    let bad: Vec<usize> =
+        (0..n).filter(|i| !(0..48).all(|k| (got.sh[*i][k] - want.sh[*i][k]).abs() <= 2e-3 * largest + 1e-9)).collect();
     assert!(bad.len() * 100 <= n, "{what}: harmonics of {bad:?}");
     let pose = want.pose.iter().fold(0f32, |a, b| a.max(b.abs()));
     for k in 0..6 {
