@@ -60,7 +60,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &limits)?;
     let marking = Marking::parse_for_output(&args.classification)?;
-    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(geo::safe_stem(&args.photo)));
+    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
     let mut sealed = SealedRun::begin(&output, args.replace, marking, args.key.as_deref(), args.quiet)?;
     let gpu = args.device.open_quietly(&mut |line| {
         if !args.quiet {
