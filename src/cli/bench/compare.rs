@@ -131,8 +131,8 @@ impl Similarity {
     }
 }
 
-/// What moves the truth onto what was found: a turn about the vertical, one scale, a shift; the 80% of closest pairs
-/// decide.
+/// What moves the truth onto what was found: a turn about the vertical, one scale, a shift; in the end the 80% of closest
+/// pairs decide.
 ///
 /// A reconstruction from one photo has no scale and a guessed camera, so this much is given to it.
 pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
@@ -148,7 +148,8 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
     // What is seen of it from around does not change with small moves.
     let placed = Shape::of_surface(&start.surface(truth));
     let mut move_on = Similarity { turn: Mat3::IDENTITY, scale: 1.0, shift: Vec3::ZERO };
-    for _ in 0..150 {
+    let mut all_pairs = true;
+    for _ in 0..300 {
         let shape = placed.moved(&move_on);
         let mut pairs: Vec<(Vec3, Vec3)> = Vec::new();
         let step = |n: usize| n.div_ceil(2500).max(1);
@@ -159,7 +160,11 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
             pairs.extend(shape.bvh.closest(*p, 10.0, |_| true).map(|c| (c.point, *p)));
         }
         pairs.sort_by(|a, b| a.0.distance_squared(a.1).total_cmp(&b.0.distance_squared(b.1)));
-        pairs.truncate(pairs.len() * 4 / 5);
+        // The furthest pairs are what turns and scales a coarse start right; only then can they be told from parts that
+        // one of the two does not have.
+        if !all_pairs {
+            pairs.truncate(pairs.len() * 4 / 5);
+        }
         let n = pairs.len().max(1) as f32;
         let (a, b) = pairs.iter().fold((Vec3::ZERO, Vec3::ZERO), |(a, b), p| (a + p.0 / n, b + p.1 / n));
         let (mut cos, mut sin, mut square, mut up) = (0.0, 0.0, 0.0, 0.0);
@@ -175,7 +180,10 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
         let scale = (flat + up) / square.max(1e-9);
         move_on = move_on.then(turn, scale, b - scale * (turn * a));
         if sin.atan2(cos).abs() < 5e-5 && (scale - 1.0).abs() < 5e-5 {
-            break;
+            if !all_pairs {
+                break;
+            }
+            all_pairs = false;
         }
     }
     start.then(move_on.turn, move_on.scale, move_on.shift)
