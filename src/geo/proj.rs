@@ -33,6 +33,7 @@ const GEOCENTRIC: c_int = 10;
 const GEOGRAPHIC_3D: c_int = 13;
 const COMPOUND: c_int = 16;
 const FORWARD: c_int = 1;
+const INVERSE: c_int = -1;
 
 /// A context or an object of PROJ, freed when dropped.
 struct Owned {
@@ -104,6 +105,12 @@ pub(super) fn to_wgs84(code: &str, point: [f64; 3]) -> Result<Converted, String>
         let [latitude, longitude, height, _] = convert(point);
         if ![latitude, longitude, height].iter().all(|v| v.is_finite()) {
             return Err(format!("the point cannot be converted ({})", why(proj_errno(conversion.pointer))));
+        }
+        // Far outside a projection's area some versions answer with a point all the same: not one that leads back.
+        let back = proj_trans(conversion.pointer, INVERSE, Coord([latitude, longitude, height, f64::INFINITY])).0;
+        let leads_back = |i: usize| (back[i] - point[i]).abs() <= 1e-6 * point[i].abs() + 1e-6;
+        if !(leads_back(0) && leads_back(1)) {
+            return Err("the point cannot be converted (it lies outside the area of its coordinate system)".into());
         }
         let beside = convert([point[0] + 1e-3, point[1], point[2]]);
         let east = (beside[1] - longitude) * latitude.to_radians().cos();
