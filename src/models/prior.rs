@@ -15,7 +15,7 @@ pub struct Weights {
 }
 
 /// Photo → subject mask and inverse depth.
-pub const SCENE: Weights = Weights {
+pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
     version: "0.2",
     sha256: "07181070b454efcaad61dac3878bd183d5742a4e7ce6f0de9dc554e850ee6d43",
@@ -23,7 +23,7 @@ pub const SCENE: Weights = Weights {
 };
 
 /// Cropped subject → Gaussians and the camera's elevation.
-pub const SPLAT: Weights = Weights {
+pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
     version: "0.2",
     sha256: "a0bb4029a7e3a384e0fb001248b73a733a6078a8f5ee97efb90750e70d6176e6",
@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn pins_hold() {
-        for weights in [SCENE, SPLAT] {
+        for weights in [&SCENE, &SPLAT] {
             assert_eq!(weights.verified().unwrap().len(), weights.onnx.len());
         }
     }
