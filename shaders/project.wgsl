@@ -4,7 +4,8 @@
 // Out: splats (at the Gaussian's own place), depth key (bits of z, CULLED where it cannot be seen), number of tiles;
 //      totals: Gaussians seen, and pairs as 256·high + low, which cannot overflow.
 //
-// The ellipse is geometry.wgsl's; the colour is Σ b_k(d) · sh_k + ½, clamped at 0, d from the eye to the Gaussian.
+// The ellipse is geometry.wgsl's; the colour is Σ b_k(d) · sh_k + ½, clamped at 0, d from the eye to the Gaussian, or the
+// normal where that is wanted: the shortest axis (of equal ones the first) in camera space, towards the camera.
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> chunk: Chunk;
@@ -18,6 +19,21 @@
 
 var<workgroup> seen: atomic<u32>;
 var<workgroup> pairs: atomic<u32>;
+
+fn normal(g: Geometry, log_scales: vec3<f32>) -> vec3<f32> {
+    let r = turn(g.quaternion);
+    var axis = r[0];
+    var least = log_scales.x;
+    if (log_scales.y < least) {
+        axis = r[1];
+        least = log_scales.y;
+    }
+    if (log_scales.z < least) {
+        axis = r[2];
+    }
+    let n = vec3(dot(view.row0.xyz, axis), dot(view.row1.xyz, axis), dot(view.row2.xyz, axis));
+    return select(n, -n, dot(n, g.point) > 0.0);
+}
 
 // Number of tiles; 0 where the Gaussian cannot be seen.
 fn project(i: u32) -> u32 {
@@ -61,7 +77,11 @@ fn project(i: u32) -> u32 {
     if (!finite(rgb.x + rgb.y + rgb.z)) {
         return 0u;
     }
-    splats[i] = Splat(place, form, vec4(max(rgb, vec3(0.0)), g.point.z));
+    var tint = max(rgb, vec3(0.0));
+    if (view.background.w != 0.0) {
+        tint = normal(g, core[2u * chunk.stride + i].xyz);
+    }
+    splats[i] = Splat(place, form, vec4(tint, g.point.z));
     keys[chunk.first + i] = bitcast<u32>(g.point.z);
     return tiles;
 }

@@ -41,6 +41,21 @@ fn transposed_sums(a: vec4<f32>, b: vec4<f32>, lane: u32) -> f32 {
     return one;
 }
 
+// A splat of the batch and where its sums go.
+struct Fetched {
+    splat: Splat,
+    place: u32,
+}
+
+fn ahead(index: u32, at: u32, end: u32) -> Fetched {
+    var f: Fetched;
+    if (index < BATCH && at < end) {
+        f.splat = fetch(pair_gaussians[at]);
+        f.place = places[at];
+    }
+    return f;
+}
+
 @compute @workgroup_size(THREADS)
 fn main(
     @builtin(workgroup_id) group: vec3<u32>,
@@ -69,15 +84,17 @@ fn main(
     }
     let range = ranges[group.y * view.size.z + group.x];
     var start = range.x;
+    var next = ahead(index, start + index, range.y);
     for (; start < range.y; start += BATCH) {
         let count = min(BATCH, range.y - start);
-        for (var i = index; i < count; i += THREADS) {
-            let splat = fetch(pair_gaussians[start + i]);
-            boxes[i] = splat.place;
-            forms[i] = splat.form;
-            tints[i] = splat.tint;
-            targets[i] = places[start + i];
+        if (index < BATCH) {
+            boxes[index] = next.splat.place;
+            forms[index] = next.splat.form;
+            tints[index] = next.splat.tint;
+            targets[index] = next.place;
         }
+        // On its way while this batch is worked on.
+        next = ahead(index, start + BATCH + index, range.y);
         if (index == 0u) {
             atomicStore(&open, 0u);
         }

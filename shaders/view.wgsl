@@ -13,6 +13,7 @@ struct View {
     lens: vec4<f32>,
     // x/z and y/z are held inside (x, y) and (z, w) for the Jacobian alone.
     limits: vec4<f32>,
+    // w: 1 where normals take the colours' place.
     background: vec4<f32>,
     // Picture width and height in pixels, then in tiles.
     size: vec4<u32>,

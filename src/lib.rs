@@ -20,5 +20,6 @@ pub mod sources;
 pub mod splat;
 pub mod symmetry;
 pub mod views;
+mod whole_file;
 
 pub use error::{Error, Kind, Result};

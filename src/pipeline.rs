@@ -1,6 +1,6 @@
 //! The stages in order: photo → subject → Gaussians → six views → optimisation → mesh → place → files.
 //!
-//! Values in, values out; nothing here touches a disk.
+//! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
 use std::time::{Duration, Instant};
 
@@ -11,6 +11,7 @@ use crate::models::{Engine, prior};
 use crate::photo::{Photo, Plane};
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
+use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
 use crate::symmetry::{self, Fit, MirroredPhoto, Use};
 use crate::{Result, memory, views};
@@ -42,6 +43,8 @@ pub struct Settings {
     pub triangles: Option<usize>,
     /// Width and height of the finest level's texture: a power of two.
     pub texture: u32,
+    /// How the optimisation is kept in a file, and what it goes on from.
+    pub kept: Kept,
 }
 
 /// What a stage took.
@@ -275,14 +278,19 @@ fn optimise(
     targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
     targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
     progress.begin("optimisation", 0);
-    let mut iterations = settings.iterations as usize;
-    if let Some(limit) = settings.optimise_within {
-        let fits = splat::train::iterations_within(fitter, &prior.gaussians, &targets, limit.as_secs_f64(), progress)?;
-        iterations = iterations.min(fits);
-    }
+    let wanted = settings.iterations as usize;
+    let iterations = match (&settings.kept.from, settings.optimise_within) {
+        // As many as the stopped run had before it, whatever this machine would do now.
+        (Some(saved), _) => saved.iterations,
+        (None, Some(limit)) => {
+            let seconds = limit.as_secs_f64();
+            wanted.min(splat::train::iterations_within(fitter, &prior.gaussians, &targets, seconds, progress)?)
+        }
+        (None, None) => wanted,
+    };
     let options =
         splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
-    splat::train(fitter, prior.gaussians.clone(), &targets, &options, progress)
+    splat::train::train_kept(fitter, prior.gaussians.clone(), &targets, &options, &settings.kept, progress)
 }
 
 /// About 3% of the pixels in 4 × 4 blocks, from the seed: never trained on, so that they can be measured.

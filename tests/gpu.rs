@@ -5,13 +5,13 @@ use std::sync::LazyLock;
 
 use glam::Vec3;
 use orb::splat::render::gpu::{Gpu, Renderer, Scene, sort_pairs};
-use orb::splat::render::{Frame, render};
+use orb::splat::render::{Frame, normals, render};
 use orb::splat::{Camera, Gaussians, SH_COEFFICIENTS};
 use proptest::prelude::*;
 
 /// One device for all tests: opening one takes longer than most of them.
 fn gpu() -> Option<&'static Gpu> {
-    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| match Gpu::open(true) {
+    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| match Gpu::open(true, None) {
         Ok(gpu) => Some(gpu),
         Err(e) if std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1") => panic!("{e}"),
         Err(e) => {
@@ -89,12 +89,22 @@ fn compare(got: &Frame, want: &Frame, what: &str) {
     assert!(off_median * 500 <= pixels, "{what}: {off_median} of {pixels} median depths differ");
 }
 
+/// Unit vectors within 1e-3 where the pixel is not faint, but for the few where rounding decides which way one faces.
+fn compare_normals(got: &[[f32; 3]], want: &[[f32; 3]], alpha: &[f32], what: &str) {
+    let apart = |a: &[f32; 3], b: &[f32; 3]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    assert!(got.iter().flatten().all(|v| v.is_finite()), "{what}: normals");
+    let off = got.iter().zip(want).zip(alpha).filter(|((a, b), alpha)| **alpha > 0.05 && apart(a, b) > 1e-3).count();
+    assert!(off * 200 <= got.len(), "{what}: {off} of {} normals differ", got.len());
+}
+
 fn both(gpu: &Gpu, g: &Gaussians, camera: &Camera, background: [f32; 3], what: &str) -> Frame {
     let want = render(g, camera, background);
     let uploaded = Scene::upload(gpu, g).unwrap();
     let mut renderer = Renderer::new(gpu).unwrap();
     let got = renderer.render(&uploaded, camera, background).unwrap();
     compare(&got, &want, what);
+    let want_normals = normals(g, camera);
+    compare_normals(&renderer.normals(&uploaded, camera).unwrap(), &want_normals, &want.alpha, what);
     if renderer.subgroups {
         renderer.subgroups = false;
         compare(&renderer.render(&uploaded, camera, background).unwrap(), &want, &format!("{what}, no subgroups"));
@@ -275,12 +285,46 @@ fn same_bytes_every_time() {
     }
 }
 
+/// Some of the Gaussians not finite, some behind the camera, one over all of the picture.
+fn with_oddities(mut g: Gaussians, camera: &Camera, seed: u64) -> Gaussians {
+    let r = &mut Random(seed ^ 0x0dd);
+    if g.is_empty() {
+        return g;
+    }
+    let behind = camera.position() - camera.rotation.row(2);
+    for _ in 0..g.len().div_ceil(20) {
+        let i = r.bits() as usize % g.len();
+        let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1e-42][r.bits() as usize % 5];
+        match r.bits() % 7 {
+            0 => g.positions[i][(seed % 3) as usize] = bad,
+            1 => g.log_scales[i][(seed % 3) as usize] = bad,
+            2 => g.rotations[i][(seed % 4) as usize] = bad,
+            3 => g.logit_opacities[i] = bad,
+            4 => g.sh[i][(seed % 16) as usize][1] = bad,
+            5 => g.rotations[i] = [0.0; 4],
+            _ => g.positions[i] = behind + r.vector(0.2),
+        }
+    }
+    let huge = r.bits() as usize % g.len();
+    g.log_scales[huge] = Vec3::new(3.0, 2.5, 2.0);
+    g.logit_opacities[huge] = -2.0;
+    g
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..Default::default() })]
     #[test]
-    fn any_scene_matches(seed: u64, n in 0usize..2000, low in -7.0f32..-2.0, spread in 0.1f32..3.0, w in 1u32..150, h in 1u32..150) {
+    fn any_scene_matches(
+        seed: u64, n in 0usize..2000, low in -7.0f32..-2.0, spread in 0.1f32..3.0, w in 1u32..150, h in 1u32..150,
+        right in -0.8f32..0.8, down in -0.8f32..0.8, odd: bool,
+    ) {
         if let Some(gpu) = gpu() {
-            both(gpu, &scene(n, low, low + spread, seed), &camera(w, h, seed), [0.3, 0.1, 0.0], &format!("seed {seed}"));
+            let mut c = camera(w, h, seed);
+            c.cx += right * w as f32;
+            c.cy += down * h as f32;
+            let g = scene(n, low, low + spread, seed);
+            let g = if odd { with_oddities(g, &c, seed) } else { g };
+            both(gpu, &g, &c, [0.3, 0.1, 0.0], &format!("seed {seed}"));
         }
     }
 }

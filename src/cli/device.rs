@@ -1,6 +1,9 @@
 //! `--device`: the GPU, the CPU, or the better of what is there.
 
+use std::path::PathBuf;
+
 use crate::Result;
+use crate::audit::DataFolder;
 use crate::splat::render::gpu::Gpu;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -32,8 +35,8 @@ impl Device {
     pub fn open(self, say: &mut dyn FnMut(&str)) -> Result<Option<Gpu>> {
         match self {
             Device::Cpu => Ok(None),
-            Device::Gpu => Gpu::open(true).map(|gpu| Some(told(gpu, say))),
-            Device::Auto => Ok(match Gpu::open(false) {
+            Device::Gpu => Gpu::open(true, kernels().as_deref()).map(|gpu| Some(told(gpu, say))),
+            Device::Auto => Ok(match Gpu::open(false, kernels().as_deref()) {
                 Ok(gpu) => Some(told(gpu, say)),
                 Err(e) => {
                     say(&format!("no GPU is used: {e}"));
@@ -42,6 +45,15 @@ impl Device {
             }),
         }
     }
+}
+
+/// Where compiled kernels are kept, for who has a data folder.
+fn kernels() -> Option<PathBuf> {
+    DataFolder::from_environment(|name| std::env::var_os(name)).ok().map(|data| kernels_in(&data))
+}
+
+pub(super) fn kernels_in(data: &DataFolder) -> PathBuf {
+    data.path().join("cache").join("kernels")
 }
 
 fn told(gpu: Gpu, say: &mut dyn FnMut(&str)) -> Gpu {

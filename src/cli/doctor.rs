@@ -7,6 +7,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::audit::Outcome;
+use super::device::kernels_in;
 use super::networks::{EngineArgs, registry};
 use crate::audit::keys::{KeySource, SigningKey};
 use crate::audit::time::{SyncStatus, now};
@@ -53,7 +54,7 @@ pub struct Finding {
 /// None but a broken serialiser; what is wrong with the machine stands in the lines, and exit code 5 says that something is.
 pub fn run(args: &DoctorArgs, data: &DataFolder) -> Result<Outcome> {
     let mut findings = vec![version()];
-    findings.extend(gpu());
+    findings.extend(gpu(data));
     findings.extend(engines(&args.engine, data));
     findings.extend(networks(&registry(data)));
     findings.extend([disk("data folder", data.path()), disk("current folder", Path::new("."))]);
@@ -95,8 +96,8 @@ fn version() -> Finding {
     finding("orb", State::Good, format!("{version} on {arch}-{os}, {threads} threads"), "")
 }
 
-fn gpu() -> Vec<Finding> {
-    match Gpu::open(false) {
+fn gpu(data: &DataFolder) -> Vec<Finding> {
+    match Gpu::open(false, Some(&kernels_in(data))) {
         Ok(gpu) => {
             let (a, b) = (&gpu.adapter, &gpu.abilities);
             let words = format!(

@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 
 use super::bar::Bar;
+use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
 use super::networks::{self, NetworkArgs};
@@ -158,6 +159,9 @@ pub struct GeoArgs {
     #[command(flatten)]
     pub networks: NetworkArgs,
 
+    #[command(flatten)]
+    pub kept: CheckpointArgs,
+
     /// One JSON object on standard output.
     #[arg(long)]
     pub json: bool,
@@ -191,10 +195,11 @@ pub(super) fn time_limits(quality: Quality) -> Option<TimeLimits> {
     }
 }
 
-/// Optimisation steps wanted on a machine with so many threads. Where they fit the time, like machines do the same
+/// Optimisation steps wanted on a GPU or on so many threads. Where they fit the time, like machines do the same
 /// number, and two runs are alike.
-pub(super) fn steps(quality: Quality, threads: usize) -> u32 {
-    let share = (threads as f64 / 2.0).clamp(0.5, 8.0);
+pub(super) fn steps(quality: Quality, threads: usize, gpu: bool) -> u32 {
+    // On a GPU 3,600: twice or four times as many show nothing better of what was held back (docs/performance.md).
+    let share = if gpu { 4.0 } else { (threads as f64 / 2.0).clamp(0.5, 8.0) };
     match quality {
         Quality::Draft => (250.0 * share) as u32,
         Quality::Standard => (900.0 * share) as u32,
@@ -243,6 +248,11 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
             print!("{}", tools::run(tool, decimal_year(&time::now()?))?);
             Ok(0)
         }
+        (None, Some(_)) if args.kept.checkpoint.is_some() || args.kept.resume.is_some() => {
+            Err(Error::usage("--manifest")
+                .expected("no --checkpoint and no --resume")
+                .found("one file for many photos"))
+        }
         (None, Some(manifest)) => manifest::run(args, manifest, stop),
         (None, None) => publish_one(args, stop, None),
     }
@@ -281,7 +291,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     // Who names a number of steps gets them, however long they take.
     let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, if gpu.is_some() { 8 } else { threads })),
+        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, threads, gpu.is_some())),
         optimise_within: limits.map(|l| l.optimise),
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
@@ -289,6 +299,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         triangles: args.triangles.map(|t| t as usize),
         texture: args.texture,
         symmetry: args.symmetry.into(),
+        kept: args.kept.open()?,
     };
     let bar = Bar::new(stop, args.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
@@ -348,7 +359,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
             placed.inputs.clone(),
         ]
         .concat(),
-        models: models(&done.sources),
+        models: models(&done.sources, &done.report.device),
         params: params(args, &settings, &done, &placed, line),
     })?;
     bar.finish();
@@ -385,7 +396,8 @@ pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
 }
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
-pub(super) fn models(outcome: &Outcome) -> Vec<Model> {
+/// `device`: where the Gaussians were optimised.
+pub(super) fn models(outcome: &Outcome, device: &str) -> Vec<Model> {
     let mut all = Vec::from(
         [&prior::SCENE, &prior::SPLAT]
             .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
@@ -402,7 +414,7 @@ pub(super) fn models(outcome: &Outcome) -> Vec<Model> {
     all.push(Model {
         status: None,
         version: Some(env!("CARGO_PKG_VERSION").into()),
-        runtime: Some("cpu".into()),
+        runtime: Some(device.into()),
         pin_source: Some("built-in".into()),
         ..record::model_not_used("orb-splat-core")
     });
@@ -475,5 +487,7 @@ fn params(
         let name = format!("peak_memory_mib_{}", timing.stage.replace(' ', "_").to_lowercase());
         add(&name, timing.memory.map(|bytes| Param::Int((bytes >> 20) as i64)));
     }
+    let on_gpu = Some(done.report.peak_bytes).filter(|bytes| *bytes > 0);
+    add("peak_gpu_memory_mib_optimisation", on_gpu.map(|bytes| Param::Int((bytes >> 20) as i64)));
     all
 }

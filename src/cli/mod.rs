@@ -5,6 +5,7 @@ mod bar;
 pub mod bench;
 mod cameras;
 mod cdb;
+pub mod checkpoint;
 pub mod device;
 pub mod doctor;
 pub mod export;

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::bar::Bar;
+use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::geo::{self, Quality};
 use super::sealed::{Evidence, SealedRun};
@@ -45,6 +46,8 @@ pub struct Reconstruct {
     /// Same photo, options, seed and machine: same bytes.
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    #[command(flatten)]
+    pub kept: CheckpointArgs,
     /// No progress, no summary.
     #[arg(short, long)]
     pub quiet: bool,
@@ -60,6 +63,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &limits)?;
     let marking = Marking::parse_for_output(&args.classification)?;
+    let kept = args.kept.open()?;
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
     let mut sealed = SealedRun::begin(&output, args.replace, marking, args.key.as_deref(), args.quiet)?;
     let gpu = args.device.open_quietly(&mut |line| {
@@ -67,10 +71,10 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
             eprintln!("orb: {line}");
         }
     })?;
-    let threads = if gpu.is_some() { 8 } else { std::thread::available_parallelism().map_or(1, usize::from) };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let time_limits = if args.iterations.is_some() { None } else { geo::time_limits(args.quality) };
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, threads)),
+        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, threads, gpu.is_some())),
         optimise_within: time_limits.map(|l| l.optimise),
         deadline: time_limits.map(|l| started + l.latest),
         seed: args.seed,
@@ -78,6 +82,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         triangles: None,
         texture: 1024,
         symmetry: Use::Auto,
+        kept,
     };
     let bar = Bar::new(stop, args.quiet);
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
@@ -94,7 +99,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         command: "orb reconstruct",
         time: time::now()?,
         inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
-        models: geo::models(&done.sources),
+        models: geo::models(&done.sources, &report.device),
         params: BTreeMap::from([
             ("seed".into(), Param::Text(args.seed.to_string())),
             ("device".into(), Param::Text(report.device.clone())),

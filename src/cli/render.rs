@@ -42,6 +42,9 @@ pub struct Render {
     /// Also write the depth as a 16-bit PNG; frames.json says how many scene units a step is.
     #[arg(long)]
     pub depth: bool,
+    /// Also write the surface's normals as a PNG: x right, y down, z away from the camera, −1 to 1 as 0 to 255.
+    #[arg(long)]
+    pub normals: bool,
     /// Red, green and blue behind the scene, 0 to 1.
     #[arg(long, value_name = "R,G,B", value_delimiter = ',', default_values_t = [0.0, 0.0, 0.0])]
     pub background: Vec<f32>,
@@ -97,7 +100,10 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
         time: time::now()?,
         inputs: vec![input],
         models: Vec::new(),
-        params: BTreeMap::from([("depth".into(), Param::Bool(args.depth))]),
+        params: BTreeMap::from([
+            ("depth".into(), Param::Bool(args.depth)),
+            ("normals".into(), Param::Bool(args.normals)),
+        ]),
     })?;
     bar.finish();
     if !args.quiet {
@@ -138,7 +144,18 @@ pub fn run(
             Some((uploaded, renderer)) => renderer.render(uploaded, camera, background)?,
             None => render::render(&scene, camera, background),
         };
-        frames.push(write(name, camera, &frame, args.depth, put)?);
+        let mut entry = write(name, camera, &frame, args.depth, put)?;
+        if args.normals {
+            let normals = match &mut drawer {
+                Some((uploaded, renderer)) => renderer.normals(uploaded, camera)?,
+                None => render::normals(&scene, camera),
+            };
+            let file = format!("{name}_normals.png");
+            let bytes: Vec<u8> = normals.iter().flatten().map(|v| (v * 127.5 + 128.0) as u8).collect();
+            put(&file, &png(&frame, &bytes, ExtendedColorType::Rgb8)?)?;
+            entry["normals_file"] = file.into();
+        }
+        frames.push(entry);
         progress.step(i as u64 + 1);
     }
     let list =
@@ -207,7 +224,7 @@ mod tests {
     fn one_ball(folder: &Path) -> PathBuf {
         let splats = orb_formats::ply::Splats {
             positions: vec![[0.0; 3]; 2],
-            log_scales: vec![[-1.5; 3]; 2],
+            log_scales: vec![[-1.5, -1.5, -1.6]; 2],
             rotations: vec![[1.0, 0.0, 0.0, 0.0]; 2],
             logit_opacities: vec![6.0; 2],
             sh: vec![std::array::from_fn(|k| if k == 0 { [1.5, 0.0, -1.5] } else { [0.0; 3] }); 2],
@@ -217,8 +234,12 @@ mod tests {
         path
     }
 
+    fn list_of(files: &BTreeMap<String, Vec<u8>>) -> serde_json::Value {
+        serde_json::from_slice(&files["frames.json"]).unwrap()
+    }
+
     #[test]
-    fn writes_pictures_depth_and_its_unit() {
+    fn writes_pictures_depth_and_normals() {
         let folder = tempfile::tempdir().unwrap();
         let args = Render {
             scene: one_ball(folder.path()),
@@ -227,6 +248,7 @@ mod tests {
             output: folder.path().into(),
             size: 32,
             depth: true,
+            normals: true,
             background: vec![0.0; 3],
             device: Device::Cpu,
             classification: None,
@@ -234,15 +256,23 @@ mod tests {
             replace: false,
             quiet: true,
         };
-        let mut files = std::collections::BTreeMap::new();
+        let mut files = BTreeMap::new();
         let mut put = |name: &str, bytes: &[u8]| {
             files.insert(name.to_owned(), bytes.to_vec());
             Ok(())
         };
         run(&args, &Silent, &mut |_| {}, &mut put).unwrap();
         let names: Vec<_> = files.keys().cloned().collect();
-        assert_eq!(names, ["0000.png", "0000_depth.png", "0001.png", "0001_depth.png", "frames.json"]);
-        let list: serde_json::Value = serde_json::from_slice(&files["frames.json"]).unwrap();
+        let per_view = ["", "_depth", "_normals"];
+        let want: Vec<_> = (0..2).flat_map(|i| per_view.map(|s| format!("000{i}{s}.png"))).collect();
+        assert_eq!(names, [&want[..], &["frames.json".into()]].concat());
+        assert_eq!(list_of(&files)["cameras"][0]["normals_file"], "0000_normals.png");
+        // The discs lie in the ground plane, the camera stands above it: up is towards the camera and the top.
+        let normals = image::load_from_memory(&files["0000_normals.png"]).unwrap().into_rgb8();
+        let [x, y, z] = normals.get_pixel(16, 16).0;
+        assert!((126..=130).contains(&x) && y < 120 && z < 120, "{x} {y} {z}");
+        assert_eq!(normals.get_pixel(0, 0).0, [128; 3], "nothing drawn");
+        let list = list_of(&files);
         let cameras = cameras::parse(Path::new("frames.json"), &files["frames.json"]).unwrap();
         let depth = image::load_from_memory(&files["0001_depth.png"]).unwrap().into_luma16();
         let unit = list["cameras"][1]["depth_unit"].as_f64().unwrap();

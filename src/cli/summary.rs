@@ -89,6 +89,9 @@ pub fn text(s: &Summary) -> String {
             let memory = t.memory.map_or("unknown".into(), |b| format!("{} MiB", b >> 20));
             line("memory", format!("{memory} at most during {}", t.stage));
         }
+        if report.peak_bytes > 0 {
+            line("GPU memory", format!("{} MiB at most during optimisation", report.peak_bytes >> 20));
+        }
     }
     let memory = peak_memory(s).map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
     line("used", format!("{:.1} s, {memory}", s.total.as_secs_f64()));
@@ -206,6 +209,7 @@ pub fn json(s: &Summary) -> Result<String> {
         "peak_memory_bytes": peak_memory(s),
         "models": models,
         "device": s.done.report.device,
+        "peak_gpu_memory_bytes": s.done.report.peak_bytes,
         "georeference": {
             "latitude": o.latitude, "longitude": o.longitude, "ellipsoidal_height_m": o.height,
             "heading_deg": placement.heading, "heading_source": placement.heading_source.label(),

@@ -12,6 +12,7 @@ use crate::photo;
 use crate::pipeline::{self, Settings};
 use crate::progress::Progress;
 use crate::sources::Sources;
+use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Gaussians};
 use crate::symmetry::Use;
 use crate::{Error, Result, views};
@@ -100,6 +101,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         triangles: None,
         texture: 1024,
         symmetry: Use::from(args.symmetry),
+        kept: Kept::default(),
     };
     let done = pipeline::reconstruct(&photo, &Rten, &Sources::default(), splat::Engine::Cpu, &settings, progress)?;
     let finest = &done.model.levels[0];

@@ -3,14 +3,17 @@
 use std::path::PathBuf;
 
 use glam::{Quat, Vec3};
-use serde_json::json;
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::{nerf, scene};
+use crate::cli::checkpoint::CheckpointArgs;
 use crate::cli::device::Device;
 use crate::cli::{cameras, render};
 use crate::progress::Progress;
-use crate::splat::train::Behind;
+use crate::splat::render::gpu::Gpu;
+use crate::splat::train::gpu::measure;
+use crate::splat::train::{Behind, Checkpoint, advance};
 use crate::splat::{self, Camera, Engine, Gaussians, Options, SH_COEFFICIENTS, Target};
 use crate::{Error, Result};
 
@@ -60,6 +63,11 @@ pub struct Train {
     pub seed: u64,
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
+    /// Also what each stage of an iteration takes on the GPU, ten times along the way.
+    #[arg(long, conflicts_with_all = ["checkpoint", "resume"])]
+    pub stages: bool,
+    #[command(flatten)]
+    pub kept: CheckpointArgs,
     /// One JSON object instead of lines.
     #[arg(long)]
     pub json: bool,
@@ -69,6 +77,7 @@ pub struct Train {
 ///
 /// Errors: usage for files that cannot be read; environment from the GPU.
 pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> Result<String> {
+    let kept = args.kept.open()?;
     let gpu = args.device.open(say)?;
     let (targets, mut start, mut options) = match &args.transforms {
         Some(list) => pictures(args, list)?,
@@ -95,7 +104,11 @@ pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
         start.logit_opacities.fill(0.0);
     }
     let engine = gpu.as_ref().map_or(Engine::Cpu, Engine::Gpu);
-    let trained = splat::train(engine, start, &targets, &options, progress)?;
+    let stages = match gpu.as_ref().filter(|_| args.stages) {
+        Some(gpu) => Some(stages(gpu, &start, &targets, &options, progress)?),
+        None => None,
+    };
+    let trained = splat::train::train_kept(engine, start, &targets, &options, &kept, progress)?;
     let r = &trained.report;
     let mean = |held: bool| {
         let of: Vec<f32> = r
@@ -114,16 +127,17 @@ pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
         "density_s": r.seconds.density, "iterations_per_s": speed,
         "gaussians_start": r.gaussians_before, "gaussians_end": r.gaussians_after,
         "train_psnr_db": mean(false), "held_out_psnr_db": mean(true), "gpu_peak_mib": r.peak_bytes >> 20,
-        "sha256": hash(&trained.gaussians),
+        "sha256": hash(&trained.gaussians), "stages": stages,
     });
     if args.json {
         return Ok(format!("{result}\n"));
     }
+    let stages = stages.map_or_else(String::new, |s| table(&s));
     let db = |v: Option<f32>| v.map_or("–".to_owned(), |v| format!("{v:.2} dB"));
     Ok(format!(
         "device      {device}\ntraining    {} iterations in {:.2} s, {speed:.1} a second; {:.2} s before the first\n\
          Gaussians   {} → {}\nPSNR        {} on the {} pictures trained on, {} on those held out\n\
-         GPU memory  {} MiB\nresult      SHA-256 {}\n",
+         GPU memory  {} MiB\nresult      SHA-256 {}\n{stages}",
         r.iterations,
         r.seconds.train,
         r.seconds.setup,
@@ -135,6 +149,49 @@ pub fn run(args: &Train, progress: &dyn Progress, say: &mut dyn FnMut(&str)) -> 
         r.peak_bytes >> 20,
         hash(&trained.gaussians),
     ))
+}
+
+/// The same run in ten parts; at the end of each the mean time of its iterations and the GPU's time of every stage.
+fn stages(
+    gpu: &Gpu,
+    start: &Gaussians,
+    targets: &[Target],
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Vec<Value>> {
+    const PARTS: usize = 10;
+    let mut at = Checkpoint::new(start, targets)?;
+    let mut rows = Vec::new();
+    for part in 1..=PARTS {
+        let before = at.iteration;
+        let done = advance(Engine::Gpu(gpu), at, targets, options, options.iterations * part / PARTS, progress)?;
+        progress.check()?;
+        at = done.checkpoint;
+        let times = measure::training(gpu, &at, targets, options)?;
+        let named: serde_json::Map<String, Value> =
+            measure::stages().zip(times.iter().flatten()).map(|(n, ms)| (n.to_owned(), (*ms).into())).collect();
+        rows.push(json!({
+            "iterations": at.iteration, "gaussians": at.gaussians().len(),
+            "wall_ms": done.seconds.train * 1e3 / (at.iteration - before).max(1) as f64,
+            "density_ms": done.seconds.density * 1e3 / (at.iteration - before).max(1) as f64,
+            "stages_ms": named,
+        }));
+    }
+    Ok(rows)
+}
+
+fn table(rows: &[Value]) -> String {
+    let mut out = "\n| iterations | Gaussians | wall ms | density ms |".to_owned();
+    measure::stages().for_each(|s| out += &format!(" {s} |"));
+    out += "\n|---|---|---|---|";
+    measure::stages().for_each(|_| out += "---|");
+    let ms = |v: &Value| v.as_f64().map_or("–".to_owned(), |v| format!("{v:.3}"));
+    for r in rows {
+        let (wall, density) = (ms(&r["wall_ms"]), ms(&r["density_ms"]));
+        out += &format!("\n| {} | {} | {wall} | {density} |", r["iterations"], r["gaussians"]);
+        measure::stages().for_each(|s| out += &format!(" {} |", ms(&r["stages_ms"][s])));
+    }
+    out + "\n"
 }
 
 /// Of all parameters' bytes: equal only for equal results.
@@ -245,9 +302,21 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::Value;
 
     use crate::progress::Silent;
+
+    /// The user stops it after three steps.
+    struct Stopped(std::sync::atomic::AtomicUsize);
+
+    impl Progress for Stopped {
+        fn begin(&self, _: &'static str, _: u64) {}
+        fn step(&self, done: u64) {
+            self.0.store(done as usize, std::sync::atomic::Ordering::Relaxed);
+        }
+        fn cancelled(&self) -> bool {
+            self.0.load(std::sync::atomic::Ordering::Relaxed) >= 3
+        }
+    }
 
     #[test]
     fn trains_and_says_what_it_reached() {
@@ -269,6 +338,8 @@ mod tests {
             mcmc: false,
             seed: 3,
             device: Device::Cpu,
+            stages: false,
+            kept: CheckpointArgs { checkpoint_every: 2, ..Default::default() },
             json: true,
         };
         let one = |args: &Train| -> Value { serde_json::from_str(&run(args, &Silent, &mut |_| {}).unwrap()).unwrap() };
@@ -276,6 +347,17 @@ mod tests {
         assert_eq!((&a["iterations"], &a["gaussians_start"]), (&json!(5), &json!(200)));
         assert_eq!(a["sha256"], one(&args)["sha256"]);
         assert_ne!(a["sha256"], one(&Train { seed: 4, ..args.clone() })["sha256"]);
+        // Taken up from half-way, under the same options only.
+        let file = folder.path().join("run.ckpt");
+        let stopped = Stopped(std::sync::atomic::AtomicUsize::new(0));
+        let kept = CheckpointArgs { checkpoint: Some(file.clone()), ..args.kept.clone() };
+        let e = run(&Train { kept, ..args.clone() }, &stopped, &mut |_| {}).unwrap_err();
+        assert!(e.kind == crate::Kind::Cancelled && e.to_string().contains("goes on from step 3"), "{e}");
+        let kept = CheckpointArgs { resume: Some(file.clone()), ..args.kept.clone() };
+        assert_eq!(one(&Train { kept: kept.clone(), ..args.clone() })["sha256"], a["sha256"]);
+        let other = Train { kept, seed: 4, ..args.clone() };
+        let e = run(&other, &Silent, &mut |_| {}).unwrap_err().to_string();
+        assert!(e.contains("--resume") && e.contains("first Gaussians"), "{e}");
         let list = folder.path().join("none.json");
         let e = run(&Train { transforms: Some(list), ..args }, &Silent, &mut |_| {}).unwrap_err();
         assert!(e.to_string().contains("none.json"), "{e}");

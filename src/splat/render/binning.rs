@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::projection::{Geometry, NEAR, View, color};
+use super::projection::{Geometry, NEAR, Shown, View, color};
 use crate::splat::packed::Packed;
 use crate::splat::simd::{Kernel, Simd, dispatch};
 
@@ -101,6 +101,10 @@ impl Kernel for Project<'_> {
             if !(rgb[0] + rgb[1] + rgb[2]).is_finite() {
                 continue;
             }
+            let tint = match self.view.shown {
+                Shown::Color => rgb.map(|v| v.max(0.0)),
+                Shown::Normals => g.normal(core, self.view),
+            };
             *rank = g.depth().to_bits();
             let [a, b, c] = g.conic;
             *out = (
@@ -111,7 +115,7 @@ impl Kernel for Project<'_> {
                     b: -LOG2_E * b,
                     c: -0.5 * LOG2_E * c,
                     level: g.opacity.log2(),
-                    color: rgb.map(|v| v.max(0.0)),
+                    color: tint,
                     depth: g.depth(),
                     half,
                 },

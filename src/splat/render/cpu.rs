@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::binning::{Bins, TILE};
-use super::projection::{SplatGradient, View};
+use super::projection::{Shown, SplatGradient, View};
 use super::raster_backward::{Backward, TileLoss};
 use super::raster_forward::{Forward, PIXELS, TileDepth, TilePixels};
 use crate::splat::packed::Packed;
@@ -36,6 +36,29 @@ pub fn render(g: &Gaussians, camera: &Camera, background: [f32; 3]) -> Frame {
     let mut depths = Vec::new();
     raster.forward(&view, Some(&mut depths));
     raster.frame(&view, background, &depths)
+}
+
+/// The normal of the surface at every pixel, rows from the top: a unit vector in camera space (x right, y down,
+/// z forward), towards the camera; 0 where alpha < 1/255.
+///
+/// Σ w·n over the Gaussians, normalised, with n the shortest axis of each: of a round one it means nothing.
+pub fn normals(g: &Gaussians, camera: &Camera) -> Vec<[f32; 3]> {
+    let view = View { shown: Shown::Normals, ..View::new(camera) };
+    let mut raster = Raster::default();
+    raster.bins.build(&Packed::pack(g), &view, 3);
+    let mut depths = Vec::new();
+    raster.forward(&view, Some(&mut depths));
+    let frame = raster.frame(&view, [0.0; 3], &depths);
+    unit(&frame.color, &frame.alpha)
+}
+
+/// Of length one, where anything is drawn.
+pub(super) fn unit(sums: &[[f32; 3]], alpha: &[f32]) -> Vec<[f32; 3]> {
+    let one = |(n, a): (&[f32; 3], &f32)| {
+        let n = glam::Vec3::from_array(*n);
+        if *a < 1.0 / 255.0 { [0.0; 3] } else { n.normalize_or_zero().to_array() }
+    };
+    sums.iter().zip(alpha).map(one).collect()
 }
 
 /// Bins and tiles, kept from picture to picture.

@@ -16,4 +16,6 @@ pub(crate) mod sh;
 pub(crate) mod tests;
 
 pub(crate) use cpu::Raster;
-pub use cpu::{Frame, render};
+use cpu::unit;
+pub use cpu::{Frame, normals, render};
+use projection::Shown;

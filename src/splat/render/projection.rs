@@ -57,6 +57,15 @@ pub struct View {
     /// x/z and y/z are held inside these for the Jacobian alone: the picture widened by 0.3 of its half-angle a side.
     pub limit_x: [f32; 2],
     pub limit_y: [f32; 2],
+    pub shown: Shown,
+}
+
+/// What a picture is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    Color,
+    /// Of the surface that the Gaussians stand for: see [`Geometry::normal`].
+    Normals,
 }
 
 impl View {
@@ -76,6 +85,7 @@ impl View {
             eye: c.position().to_array(),
             limit_x: [-c.cx / c.fx - mx, (w - c.cx) / c.fx + mx],
             limit_y: [-c.cy / c.fy - my, (h - c.cy) / c.fy + my],
+            shown: Shown::Color,
         }
     }
 }
@@ -164,6 +174,16 @@ impl Geometry {
 
     pub fn depth(&self) -> f32 {
         self.point[2]
+    }
+
+    /// The Gaussian's shortest axis in camera space, a unit vector towards the camera. Of equally short ones the first.
+    #[inline(always)]
+    pub fn normal(&self, core: &Core, view: &View) -> V3 {
+        let s = &core[SCALE..SCALE + 3];
+        let k = if s[1] < s[0] { 1 } else { 0 };
+        let k = if s[2] < s[k] { 2 } else { k };
+        let n = apply(&view.rotation, three(|i| self.rotation[i][k]));
+        if dot(n, self.point) > 0.0 { three(|i| -n[i]) } else { n }
     }
 
     /// Half the width and height of the ellipse on which alpha falls to [`MIN_ALPHA`], and its level 2 ln(255 o).

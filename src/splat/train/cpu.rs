@@ -3,23 +3,20 @@
 use std::time::Instant;
 
 use super::loss::{Loss, Wanted};
-use super::{Advanced, Checkpoint, Options, Seconds, Strategy, Target};
+use super::{Advanced, Checkpoint, Options, Seconds, Stop, Strategy, Target};
 use super::{adam, density, mcmc, random, schedule, update};
-use crate::Result;
 use crate::progress::Progress;
 use crate::splat::render::Raster;
 use crate::splat::render::projection::View;
 
 /// Trains from `at` up to iteration `until`.
-///
-/// Errors: the user's interrupt.
 pub fn advance(
     at: Checkpoint,
     targets: &[Target],
     options: &Options,
     until: usize,
     progress: &dyn Progress,
-) -> Result<Advanced> {
+) -> Advanced {
     let began = Instant::now();
     let Checkpoint { iteration: first, mut gaussians, mut moments, mut statistics, mut cameras, mut poses } = at;
     let mut raster = Raster::default();
@@ -48,12 +45,11 @@ pub fn advance(
     }
     seconds.setup = began.elapsed().as_secs_f64();
 
-    let mut stopped_by_deadline = false;
+    let mut stopped = None;
     let mut done = first;
     for iteration in first..until {
-        progress.check()?;
-        if options.deadline.is_some_and(|d| Instant::now() >= d) {
-            stopped_by_deadline = true;
+        stopped = Stop::wanted(options, progress);
+        if stopped.is_some() {
             break;
         }
         let Some(turn) = turns.next() else { break };
@@ -104,5 +100,5 @@ pub fn advance(
     }
     seconds.train = began.elapsed().as_secs_f64() - seconds.setup;
     let checkpoint = Checkpoint { iteration: done, gaussians, moments, statistics, cameras, poses };
-    Ok(Advanced { checkpoint, stopped_by_deadline, seconds, peak_bytes: 0 })
+    Advanced { checkpoint, stopped, seconds, peak_bytes: 0 }
 }

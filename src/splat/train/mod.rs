@@ -1,6 +1,7 @@
 //! Fits Gaussians to pictures: Kerbl et al. 2023, §5, on the CPU or on the GPU.
 
 mod adam;
+mod checkpoint;
 mod cpu;
 mod density;
 pub mod gpu;
@@ -16,10 +17,10 @@ mod update;
 
 use std::time::Instant;
 
+pub use checkpoint::{Checkpoint, Kept, Saved};
 pub use quality::Quality;
 pub use schedule::{Behind, Density, Options, Rates, Strategy};
 
-use super::packed::Packed;
 use super::render::Raster;
 use super::render::gpu::Gpu;
 use super::{Camera, Gaussians};
@@ -92,6 +93,22 @@ pub struct Seconds {
     pub measure: f64,
 }
 
+impl Seconds {
+    fn plus(&self, b: &Seconds) -> Seconds {
+        Seconds {
+            setup: self.setup + b.setup,
+            train: self.train + b.train,
+            project: self.project + b.project,
+            forward: self.forward + b.forward,
+            loss: self.loss + b.loss,
+            backward: self.backward + b.backward,
+            update: self.update + b.update,
+            density: self.density + b.density,
+            measure: self.measure + b.measure,
+        }
+    }
+}
+
 /// Where training runs.
 #[derive(Clone, Copy)]
 pub enum Engine<'a> {
@@ -99,40 +116,33 @@ pub enum Engine<'a> {
     Gpu(&'a Gpu),
 }
 
-/// All that goes on from one iteration to the next: a run that is taken up again from one ends as if it had never
-/// stopped, on the same engine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Checkpoint {
-    /// Iterations done.
-    pub iteration: usize,
-    gaussians: Packed,
-    moments: adam::Moments,
-    statistics: density::Statistics,
-    /// One a target, in order.
-    pub cameras: Vec<Camera>,
-    poses: Vec<pose::Pose>,
+impl Engine<'_> {
+    /// As reports name it.
+    pub fn name(&self) -> String {
+        match self {
+            Engine::Cpu => "cpu".into(),
+            Engine::Gpu(gpu) => format!("gpu {} ({})", gpu.adapter.name, gpu.adapter.backend),
+        }
+    }
 }
 
-impl Checkpoint {
-    /// Before the first iteration.
-    ///
-    /// # Errors
-    /// Usage: parameter arrays of different lengths; a target whose buffers do not fit its camera.
-    pub fn new(g: &Gaussians, targets: &[Target]) -> Result<Checkpoint> {
-        check(g, targets)?;
-        let gaussians = Packed::pack(g);
-        Ok(Checkpoint {
-            iteration: 0,
-            moments: adam::Moments::new(&gaussians),
-            statistics: density::Statistics::new(gaussians.len()),
-            cameras: targets.iter().map(|t| t.camera).collect(),
-            poses: vec![pose::Pose::default(); targets.len()],
-            gaussians,
-        })
-    }
+/// What ended a part of a run before its time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// [`Options::deadline`].
+    Deadline,
+    /// The user.
+    Interrupt,
+}
 
-    pub fn gaussians(&self) -> Gaussians {
-        self.gaussians.unpack()
+impl Stop {
+    /// Whether to stop now.
+    fn wanted(options: &Options, progress: &dyn Progress) -> Option<Stop> {
+        match options.deadline {
+            _ if progress.cancelled() => Some(Stop::Interrupt),
+            Some(end) if Instant::now() >= end => Some(Stop::Deadline),
+            _ => None,
+        }
     }
 }
 
@@ -140,16 +150,17 @@ impl Checkpoint {
 #[derive(Clone, Debug)]
 pub struct Advanced {
     pub checkpoint: Checkpoint,
-    pub stopped_by_deadline: bool,
+    pub stopped: Option<Stop>,
     pub seconds: Seconds,
     /// Most bytes of GPU buffers at one time; 0 on the CPU.
     pub peak_bytes: u64,
 }
 
-/// Trains from `at` up to iteration `until` of the schedule in `options`.
+/// Trains from `at` up to iteration `until` of the schedule in `options`. A run that the user stops is handed back as far
+/// as it came.
 ///
 /// # Errors
-/// The user's interrupt; environment from the GPU.
+/// Environment from the GPU.
 pub fn advance(
     engine: Engine,
     at: Checkpoint,
@@ -160,10 +171,10 @@ pub fn advance(
 ) -> Result<Advanced> {
     let until = until.min(options.iterations);
     if at.gaussians.len() == 0 {
-        return Ok(Advanced { checkpoint: at, stopped_by_deadline: false, seconds: Seconds::default(), peak_bytes: 0 });
+        return Ok(Advanced { checkpoint: at, stopped: None, seconds: Seconds::default(), peak_bytes: 0 });
     }
     match engine {
-        Engine::Cpu => cpu::advance(at, targets, options, until, progress),
+        Engine::Cpu => Ok(cpu::advance(at, targets, options, until, progress)),
         Engine::Gpu(gpu) => gpu::advance(gpu, at, targets, options, until, progress),
     }
 }
@@ -180,6 +191,21 @@ pub fn train(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Trained> {
+    train_kept(engine, g, targets, options, &Kept::default(), progress)
+}
+
+/// As [`train`], kept in a file and taken up from one as `kept` says: the result is the same to the byte.
+///
+/// # Errors
+/// As [`train`]; a checkpoint of another run; a file that cannot be written.
+pub fn train_kept(
+    engine: Engine,
+    g: Gaussians,
+    targets: &[Target],
+    options: &Options,
+    kept: &Kept,
+    progress: &dyn Progress,
+) -> Result<Trained> {
     let start = Checkpoint::new(&g, targets)?;
     drop(g);
     let gaussians_before = start.gaussians.len();
@@ -188,7 +214,7 @@ pub fn train(
     let before = quality::measure(&mut raster, &start.gaussians, &start.cameras, targets, options.behind);
     let mut measured = clock.elapsed();
     progress.begin("optimise Gaussians", options.iterations as u64);
-    let done = advance(engine, start, targets, options, options.iterations, progress)?;
+    let done = in_parts(engine, start, targets, options, kept, progress)?;
     let end = done.checkpoint;
     let clock = Instant::now();
     let after = quality::measure(&mut raster, &end.gaussians, &end.cameras, targets, options.behind);
@@ -200,7 +226,7 @@ pub fn train(
     }
     let report = Report {
         iterations: end.iteration,
-        stopped_by_deadline: done.stopped_by_deadline,
+        stopped_by_deadline: done.stopped == Some(Stop::Deadline),
         gaussians_before,
         gaussians_after: end.gaussians.len(),
         targets: targets
@@ -211,12 +237,56 @@ pub fn train(
             .collect(),
         seconds: Seconds { measure: measured.as_secs_f64(), ..done.seconds },
         peak_bytes: done.peak_bytes,
-        device: match engine {
-            Engine::Cpu => "cpu".into(),
-            Engine::Gpu(gpu) => format!("gpu {} ({})", gpu.adapter.name, gpu.adapter.backend),
-        },
+        device: engine.name(),
     };
     Ok(Trained { gaussians: end.gaussians.unpack(), cameras: end.cameras, report })
+}
+
+/// The whole run, a checkpoint at the end of each part.
+fn in_parts(
+    engine: Engine,
+    start: Checkpoint,
+    targets: &[Target],
+    options: &Options,
+    kept: &Kept,
+    progress: &dyn Progress,
+) -> Result<Advanced> {
+    let named =
+        (kept.file.is_some() || kept.from.is_some()).then(|| checkpoint::Run::new(engine, &start, targets, options));
+    let at = match (&kept.from, &named) {
+        (Some(saved), Some(run)) => saved.resume(run)?,
+        _ => start,
+    };
+    let mut all = Advanced { checkpoint: at, stopped: None, seconds: Seconds::default(), peak_bytes: 0 };
+    loop {
+        let from = all.checkpoint.iteration;
+        let until = match &kept.file {
+            Some(_) => (from / kept.every.max(1) + 1) * kept.every.max(1),
+            None => options.iterations,
+        };
+        let part = advance(engine, all.checkpoint, targets, options, until, progress)?;
+        all.seconds = all.seconds.plus(&part.seconds);
+        all.peak_bytes = all.peak_bytes.max(part.peak_bytes);
+        (all.checkpoint, all.stopped) = (part.checkpoint, part.stopped);
+        if let (Some(file), Some(run)) = (&kept.file, &named) {
+            Saved::new(run, options.iterations, &all.checkpoint).write(file)?;
+        }
+        if all.stopped == Some(Stop::Interrupt) {
+            let stopped = Error::cancelled();
+            return Err(match &kept.file {
+                None => stopped,
+                Some(file) => stopped.advice(format!(
+                    "Nothing was published. --resume {} goes on from step {}.",
+                    file.display(),
+                    all.checkpoint.iteration
+                )),
+            });
+        }
+        // No target has a turn left, or all is done.
+        if all.stopped.is_some() || all.checkpoint.iteration < until || until >= options.iterations {
+            return Ok(all);
+        }
+    }
 }
 
 /// How many iterations of [`Options::scaled`] this machine does in `seconds` on this input: tries a few and measures.

@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::*;
 use crate::progress::Silent;
+use crate::splat::packed::Packed;
 use crate::splat::render;
 use crate::splat::render::tests::scene;
 

@@ -1,5 +1,6 @@
 //! Choosing an adapter, opening it, and testing that it computes what it promises.
 
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::task::{Context, Poll, Waker};
@@ -7,6 +8,7 @@ use std::time::Duration;
 
 use wgpu::{Features, PollType};
 
+use super::cache::Kept;
 use super::kernel::{Binding, compile, read};
 use crate::{Error, Result};
 
@@ -52,6 +54,15 @@ pub struct Gpu {
     /// The first error that no call returned.
     failure: Arc<Mutex<Option<String>>>,
     scenes: AtomicU64,
+    pub(super) kept: Option<Kept>,
+}
+
+impl Drop for Gpu {
+    fn drop(&mut self) {
+        if let Some(kept) = &self.kept {
+            kept.save();
+        }
+    }
 }
 
 /// wgpu's native futures are ready when they are first asked.
@@ -113,9 +124,10 @@ pub fn adapters() -> Vec<Adapter> {
 
 impl Gpu {
     /// Opens the best adapter; with `software` also a software implementation, where there is nothing better.
+    /// `kernels`: a folder where compiled kernels are kept from run to run.
     ///
     /// Errors: environment, when no adapter is offered, none opens, or the one that opens fails its self-test.
-    pub fn open(software: bool) -> Result<Gpu> {
+    pub fn open(software: bool, kernels: Option<&Path>) -> Result<Gpu> {
         let all = found();
         let names: Vec<String> = all.iter().map(|(_, d)| format!("{} ({})", d.name, d.backend)).collect();
         let Some((adapter, described)) = all.into_iter().find(|(_, d)| software || d.hardware) else {
@@ -152,8 +164,17 @@ impl Gpu {
             timestamps: offered.contains(Features::TIMESTAMP_QUERY),
             pipeline_cache: offered.contains(Features::PIPELINE_CACHE),
         };
-        let mut gpu =
-            Gpu { device, queue, adapter: described, abilities, notes: Vec::new(), failure, scenes: AtomicU64::new(0) };
+        let kept = kernels.filter(|_| abilities.pipeline_cache).map(|f| Kept::open(&device, &adapter.get_info(), f));
+        let mut gpu = Gpu {
+            device,
+            queue,
+            adapter: described,
+            abilities,
+            notes: Vec::new(),
+            failure,
+            scenes: AtomicU64::new(0),
+            kept,
+        };
         gpu.test(offered)?;
         Ok(gpu)
     }

@@ -7,7 +7,7 @@ use super::device::Gpu;
 use super::kernel::read;
 use super::plan::{ALL, COUNTS, Kernels, Plan, RANGE_BLOCK, Shape, TILE, View};
 use crate::splat::Camera;
-use crate::splat::render::Frame;
+use crate::splat::render::{Frame, Shown, unit};
 use crate::{Error, Result};
 
 /// The stages of a picture, in order.
@@ -119,16 +119,30 @@ impl<'a> Renderer<'a> {
         self.frame()
     }
 
+    /// The surface's normal at every pixel; the same as [`super::super::normals`].
+    ///
+    /// Errors: as [`Renderer::render`].
+    pub fn normals(&mut self, scene: &Scene, camera: &Camera) -> Result<Vec<[f32; 3]>> {
+        loop {
+            self.submit(scene, camera, [0.0; 3], Shown::Normals, false)?;
+            if self.settle()?.iter().all(|c| c.drawn) {
+                break;
+            }
+        }
+        let frame = self.frame()?;
+        Ok(unit(&frame.color, &frame.alpha))
+    }
+
     /// Submits one picture and does not wait. Before its result is used, [`Renderer::settle`] must say that it was
     /// drawn. All pictures of one renderer are drawn into the same memory, one after the other.
     pub fn draw(&mut self, scene: &Scene, camera: &Camera, background: [f32; 3]) -> Result<()> {
-        self.submit(scene, camera, background, false)
+        self.submit(scene, camera, background, Shown::Color, false)
     }
 
     /// Draws one picture and waits for its times. None where the adapter has no timestamps or did not draw it.
     pub fn time(&mut self, scene: &Scene, camera: &Camera, background: [f32; 3]) -> Result<Option<Timing>> {
         self.settle()?;
-        self.submit(scene, camera, background, true)?;
+        self.submit(scene, camera, background, Shown::Color, true)?;
         let Some((_, buffer)) = self.queries.as_ref().filter(|_| self.bands == 1) else { return Ok(None) };
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(&read(self.gpu, buffer, 16 * STAGES.len() as u64)?);
         if !self.settle()?.iter().all(|c| c.drawn) {
@@ -188,7 +202,14 @@ impl<'a> Renderer<'a> {
         }
     }
 
-    fn submit(&mut self, scene: &Scene, camera: &Camera, background: [f32; 3], timed: bool) -> Result<()> {
+    fn submit(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        background: [f32; 3],
+        shown: Shown,
+        timed: bool,
+    ) -> Result<()> {
         let pixels = u64::from(camera.width) * u64::from(camera.height);
         if pixels == 0 {
             return Err(Error::usage("camera").expected("at least one pixel").found("none"));
@@ -216,6 +237,7 @@ impl<'a> Renderer<'a> {
         for first in (0..rows).step_by(shape.band as usize) {
             let end = (first + shape.band).min(rows);
             let view = View::new(camera, background, [first, end], scene.count, shape.room);
+            let view = if shown == Shown::Normals { view.of_normals() } else { view };
             gpu.queue.write_buffer(&plan.view, 0, bytemuck::bytes_of(&view));
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             encoder.clear_buffer(&plan.counts, 0, Some(4 * ALL));

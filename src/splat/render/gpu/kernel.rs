@@ -34,7 +34,7 @@ pub fn compile(gpu: &Gpu, label: &str, source: &str, constants: &[(&str, f64)]) 
             // Every kernel writes workgroup memory before it reads it.
             zero_initialize_workgroup_memory: false,
         },
-        cache: None,
+        cache: gpu.kept.as_ref().map(|k| &k.cache),
     })
 }
 

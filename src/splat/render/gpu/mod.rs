@@ -5,6 +5,7 @@
 //! The pictures are those of the CPU renderer, [`super::render`].
 
 mod buffers;
+mod cache;
 mod device;
 mod forward;
 pub(in crate::splat) mod kernel;

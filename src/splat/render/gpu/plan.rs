@@ -47,6 +47,12 @@ impl View {
             band: [rows[0], rows[1], gaussians, room],
         }
     }
+
+    /// Shows normals in place of colours.
+    pub fn of_normals(self) -> View {
+        let [r, g, b, _] = self.background;
+        View { background: [r, g, b, 1.0], ..self }
+    }
 }
 
 impl View {

@@ -45,7 +45,8 @@ fn pixels_a_thread(gpu: &Gpu, wanted: u32) -> Option<u32> {
         groups * (32 * 10 + 1) * 4 + 32 * 52 + 16
     };
     let mut pixels = wanted.clamp(1, 256 / lanes.max(1));
-    while gpu.abilities.subgroups && pixels * lanes <= 256 {
+    // A batch of 32 splats is fetched by one thread each.
+    while gpu.abilities.subgroups && pixels * lanes.max(32) <= 256 {
         if memory(pixels) <= gpu.adapter.workgroup_memory {
             return Some(pixels);
         }

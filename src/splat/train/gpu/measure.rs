@@ -12,7 +12,7 @@ use crate::Result;
 use crate::splat::packed::Packed;
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::{Gpu, STAGES};
-use crate::splat::train::{Checkpoint, Options, adam, density, pose};
+use crate::splat::train::{Checkpoint, Options, Target, adam, density, pose};
 use crate::splat::{Camera, Gaussians};
 
 const ALL: usize = STAGES.len() + BACK_STAGES.len();
@@ -66,7 +66,8 @@ pub fn forward_backward(
     let wanted: Vec<[f32; 4]> = target.iter().map(|c| [c[0], c[1], c[2], 1.0]).collect();
     let buffer = gpu.buffer("target", 16 * wanted.len() as u64);
     gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&wanted));
-    let pictures = cameras.iter().map(|_| Picture { width, height, wanted: buffer.clone() }).collect();
+    let pictures: Vec<_> = cameras.iter().map(|_| Picture { width, height, wanted: buffer.clone() }).collect();
+    let pixels = pixels(gpu, &pictures);
     let steps: Vec<Step> = (0..cameras.len() as u32)
         .map(|i| Step {
             loss: [1.0 / (3 * width * height) as f32, 0.0, 0.0, 0.0],
@@ -76,9 +77,9 @@ pub fn forward_backward(
         .collect();
     let mut options = Options::default();
     options.density.until = 0;
-    let mut run = Run::with(gpu, &at, pictures, steps, table::corrections(1), &options, pixels(gpu), Some(&out))?;
+    let mut run = Run::with(gpu, &at, pictures, steps, table::corrections(1), &options, pixels, Some(&out))?;
     drop(at);
-    run.settle(&out)?;
+    run.settle(Some(&out))?;
     let mut walls = Vec::new();
     for _ in 0..rounds.max(1) {
         let start = Instant::now();
@@ -94,6 +95,26 @@ pub fn forward_backward(
         peak_bytes: (run.peak + 248 * n as u64)
             .saturating_sub(480 * n as u64 + 16 * u64::from(width) * u64::from(height) * (cameras.len() as u64 - 1)),
     })
+}
+
+/// GPU milliseconds of each of [`stages`] in one iteration of training from `at`: medians of one turn of every target.
+/// None where the adapter has no timestamps.
+///
+/// Errors: environment from the GPU.
+pub fn training(gpu: &Gpu, at: &Checkpoint, targets: &[Target], options: &Options) -> Result<Option<Vec<f64>>> {
+    if !gpu.abilities.timestamps {
+        return Ok(None);
+    }
+    let pictures: Vec<_> = targets.iter().map(|t| Picture::upload(gpu, t)).collect();
+    let pixels = pixels(gpu, &pictures);
+    let mut steps = table::steps(targets, options);
+    let measured = (3 * targets.len()).min(steps.len());
+    steps.drain(..at.iteration.min(steps.len() - measured));
+    steps.truncate(measured);
+    let corrections = table::corrections(options.iterations);
+    let mut run = Run::with(gpu, at, pictures, steps, corrections, options, pixels, None)?;
+    run.settle(None)?;
+    Ok(Some(timed(&run)?))
 }
 
 /// Medians over the cameras.

@@ -18,7 +18,7 @@ use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::plan::{Kernels as Drawing, RECORD, TILE, View};
 use crate::splat::render::gpu::{Gpu, MOST_GROUPS};
 use crate::splat::train::pose::Pose;
-use crate::splat::train::{Advanced, Checkpoint, Options, Target};
+use crate::splat::train::{Advanced, Checkpoint, Options, Stop, Target};
 use crate::{Error, Result};
 
 /// Iterations a submission.
@@ -27,9 +27,18 @@ const BATCH: usize = 16;
 const AHEAD: usize = 3;
 const STATE: u64 = size_of::<State>() as u64;
 
-/// Pixels a thread on the rasteriser's way back: the fewer lanes add up, the more each should bring.
-pub fn pixels(gpu: &Gpu) -> u32 {
-    if gpu.abilities.lanes < 16 { 4 } else { 2 }
+/// Tiles of a picture below which the way back has too few workgroups for a large GPU.
+const FEW_TILES: u32 = 1024;
+
+/// Pixels a thread on the rasteriser's way back: the fewer lanes add up, the more each should bring; where tiles are
+/// few and their lists long, more threads a tile are worth more (docs/performance.md).
+pub fn pixels(gpu: &Gpu, pictures: &[Picture]) -> u32 {
+    let tiles = pictures.iter().map(|p| p.width.div_ceil(TILE) * p.height.div_ceil(TILE)).max().unwrap_or(0);
+    match gpu.abilities.lanes {
+        ..16 => 4,
+        _ if tiles < FEW_TILES => 1,
+        _ => 2,
+    }
 }
 
 pub struct Run<'a> {
@@ -61,9 +70,10 @@ fn most_pairs(gpu: &Gpu) -> u64 {
 
 impl<'a> Run<'a> {
     pub fn new(gpu: &'a Gpu, at: &Checkpoint, targets: &[Target], options: &Options) -> Result<Self> {
-        let pictures = targets.iter().map(|t| Picture::upload(gpu, t)).collect();
+        let pictures: Vec<_> = targets.iter().map(|t| Picture::upload(gpu, t)).collect();
+        let pixels = pixels(gpu, &pictures);
         let (steps, corrections) = (table::steps(targets, options), table::corrections(options.iterations));
-        Self::with(gpu, at, pictures, steps, corrections, options, pixels(gpu), None)
+        Self::with(gpu, at, pictures, steps, corrections, options, pixels, None)
     }
 
     /// `gradients`: written in place of Adam's step.
@@ -118,13 +128,13 @@ impl<'a> Run<'a> {
     }
 
     /// Through all steps, with longer lists until they hold every one.
-    pub fn settle(&mut self, gradients: &Gradients) -> Result<()> {
+    pub fn settle(&mut self, gradients: Option<&Gradients>) -> Result<()> {
         loop {
             let state = self.once()?;
             if state.halted == 0 {
                 return Ok(());
             }
-            self.make_room(state.most_pairs.into(), Some(gradients))?;
+            self.make_room(state.most_pairs.into(), gradients)?;
         }
     }
 
@@ -181,7 +191,6 @@ impl<'a> Run<'a> {
             let state = self.receive(&next)?;
             self.done = state.iteration as usize;
             progress.step(self.done as u64);
-            progress.check()?;
             if state.halted != 0 {
                 // What was sent after it changed nothing.
                 for later in waiting.drain(..) {
@@ -291,7 +300,7 @@ fn view(c: &Camera) -> View {
 
 /// Trains from `at` up to iteration `until`.
 ///
-/// Errors: environment, when the adapter fails or is too small; the user's interrupt.
+/// Errors: environment, when the adapter fails or is too small.
 pub fn advance(
     gpu: &Gpu,
     at: Checkpoint,
@@ -305,15 +314,15 @@ pub fn advance(
     let mut run = Run::new(gpu, &at, targets, options)?;
     drop(at);
     let setup = began.elapsed().as_secs_f64();
-    let late = || options.deadline.is_some_and(|d| Instant::now() >= d);
+    let stop = || Stop::wanted(options, progress);
     let end = until.min(run.steps.len());
     let mut density = 0.0;
-    let mut stopped = false;
+    let mut stopped = None;
     while run.done < end {
-        progress.check()?;
         let event = options.next_event(run.done).min(end);
-        if !run.iterate(event, progress, &late)? {
-            stopped = true;
+        if !run.iterate(event, progress, &|| stop().is_some())? {
+            // A deadline that is past stays past, and so does an interrupt.
+            stopped = stop();
             break;
         }
         let clock = Instant::now();
@@ -325,7 +334,7 @@ pub fn advance(
     let checkpoint = run.checkpoint(&cameras)?;
     Ok(Advanced {
         checkpoint,
-        stopped_by_deadline: stopped,
+        stopped,
         seconds: crate::splat::train::Seconds { setup, train: trained, density, ..Default::default() },
         peak_bytes: run.peak,
     })

@@ -8,7 +8,7 @@ use glam::Vec3;
 use super::iteration::{Gradients, Picture};
 use super::run::Run;
 use super::table;
-use crate::progress::Silent;
+use crate::progress::{Progress, Silent};
 use crate::splat::packed::{Core, Packed, Sh};
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::{Gpu, STAGES};
@@ -18,11 +18,13 @@ use crate::splat::render::tests::{camera, scene};
 use crate::splat::render::{Raster, render};
 use crate::splat::train::loss::{Loss, Wanted};
 use crate::splat::train::random::Random;
-use crate::splat::train::{Behind, Checkpoint, Density, Engine, Options, Target, advance, train};
+use crate::splat::train::{
+    Behind, Checkpoint, Density, Engine, Kept, Options, Saved, Target, advance, train, train_kept,
+};
 use crate::splat::{Camera, Gaussians};
 
 fn gpu() -> Option<&'static Gpu> {
-    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| match Gpu::open(true) {
+    static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| match Gpu::open(true, None) {
         Ok(gpu) => Some(gpu),
         Err(e) if std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1") => panic!("{e}"),
         Err(e) => {
@@ -215,6 +217,30 @@ fn gradients_are_those_of_the_cpu() {
 }
 
 #[test]
+fn gradients_of_any_scene_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for seed in 0..10 {
+        let mut r = Random::new(900 + seed);
+        let mut between = |low: f32, high: f32| low + (high - low) * r.uniform();
+        let (n, size) = (between(100.0, 500.0) as usize, between(0.02, 0.3));
+        let (w, h) = (between(2.0, 120.0) as u32, between(2.0, 120.0) as u32);
+        let mut c = camera(w, h);
+        c.cx += between(-0.5, 0.5) * w as f32;
+        c.cy += between(-0.5, 0.5) * h as f32;
+        let mut g = scene(n, size, seed);
+        g.positions[n / 2].y = f32::NAN;
+        g.log_scales[n / 3].x = f32::INFINITY;
+        g.positions[n / 4] = c.position() - c.rotation.row(2);
+        (g.log_scales[n / 5], g.logit_opacities[n / 5]) = (Vec3::splat(1.5), -2.0);
+        let t = target(c, seed);
+        let o = options(3, Behind::Changing);
+        let (want, _) = on_cpu(&g, &t, &o);
+        let pixels = [0, 1, 2, 4][seed as usize % 4];
+        same(&on_gpu(gpu, &g, &t, &o, pixels, None), &want, &format!("seed {seed}, {w} × {h}, {n} Gaussians"));
+    }
+}
+
+#[test]
 fn degrees_of_harmonics_grow() {
     let Some(gpu) = gpu() else { return };
     let g = scene(100, 0.1, 12);
@@ -403,6 +429,54 @@ fn a_run_taken_up_again_ends_the_same() {
         assert!(whole.gaussians().len() > start.len());
         assert_eq!(whole, cut);
     }
+}
+
+/// Stops the run after so many steps.
+struct StoppedAfter(u64, std::sync::atomic::AtomicU64);
+
+impl Progress for StoppedAfter {
+    fn begin(&self, _: &'static str, _: u64) {}
+    fn step(&self, done: u64) {
+        self.1.store(done, std::sync::atomic::Ordering::Relaxed);
+    }
+    fn cancelled(&self) -> bool {
+        self.1.load(std::sync::atomic::Ordering::Relaxed) >= self.0
+    }
+}
+
+#[test]
+fn a_run_stopped_by_the_user_goes_on_from_its_file() {
+    let Some(gpu) = gpu() else { return };
+    let (targets, start) = problem(40);
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("kept");
+    let paper = Options { pose_from: 3, ..Options::scaled(40) };
+    let d = Density { every: 7, from: 7, until: 36, gradient: 1e-6, growth: 0.3, ..paper.density };
+    let paper = Options { density: d, ..paper };
+    let mut mcmc = paper.with_mcmc();
+    mcmc.density = Density { every: 7, from: 5, until: 36, growth: 0.2, max_gaussians: 220, ..mcmc.density };
+    for (engine, o) in
+        [(Engine::Cpu, &paper), (Engine::Cpu, &mcmc), (Engine::Gpu(gpu), &paper), (Engine::Gpu(gpu), &mcmc)]
+    {
+        let run = |kept: &Kept, progress: &dyn Progress| train_kept(engine, start.clone(), &targets, o, kept, progress);
+        let whole = run(&Kept::default(), &Silent).unwrap();
+        // Every third step is written; the user stops it twice, the second time after it was taken up.
+        let kept = Kept { file: Some(file.clone()), every: 3, from: None };
+        let e = run(&kept, &StoppedAfter(10, 0.into())).unwrap_err();
+        assert!(e.kind == crate::Kind::Cancelled && e.to_string().contains("--resume"), "{e}");
+        let again = || Kept { from: Some(Saved::read(&file).unwrap()), ..kept.clone() };
+        run(&again(), &StoppedAfter(25, 0.into())).unwrap_err();
+        let end = run(&again(), &Silent).unwrap();
+        assert_eq!(end.gaussians, whole.gaussians);
+        assert_eq!(end.cameras, whole.cameras);
+        assert!(end.gaussians.len() > start.len());
+        // What is finished is not begun again.
+        assert_eq!(run(&again(), &Silent).unwrap().gaussians, whole.gaussians);
+    }
+    // Of another engine.
+    let kept = Kept { from: Some(Saved::read(&file).unwrap()), ..Kept::default() };
+    let e = train_kept(Engine::Cpu, start, &targets, &mcmc, &kept, &Silent).unwrap_err();
+    assert!(e.kind == crate::Kind::Usage && e.to_string().contains("engine"), "{e}");
 }
 
 #[test]

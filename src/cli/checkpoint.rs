@@ -1,0 +1,33 @@
+//! `--checkpoint` and `--resume`: an optimisation that can be stopped and taken up again.
+
+use std::path::PathBuf;
+
+use crate::Result;
+use crate::splat::train::{Kept, Saved};
+
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct CheckpointArgs {
+    /// Keep the optimisation in this file, every --checkpoint-every steps, at its end and when Ctrl-C stops it.
+    #[arg(long, value_name = "FILE")]
+    pub checkpoint: Option<PathBuf>,
+    /// Steps between two checkpoints.
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub checkpoint_every: u32,
+    /// Go on from a checkpoint of the same run: the result is the same to the byte. Kept in the same file unless
+    /// --checkpoint names another.
+    #[arg(long, value_name = "FILE")]
+    pub resume: Option<PathBuf>,
+}
+
+impl CheckpointArgs {
+    /// Reads what is to be gone on from.
+    ///
+    /// Errors: the file cannot be read, is no checkpoint, or is damaged.
+    pub fn open(&self) -> Result<Kept> {
+        Ok(Kept {
+            file: self.checkpoint.clone().or_else(|| self.resume.clone()),
+            every: self.checkpoint_every as usize,
+            from: self.resume.as_deref().map(Saved::read).transpose()?,
+        })
+    }
+}
