@@ -19,6 +19,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         let at = min(state.iteration, arrayLength(&steps) - 1u);
         var camera = cameras[steps[at].words.z];
         camera.eye.w = f32(steps[at].words.w);
+        camera.background.w = f32(steps[at].more_words.z);
         camera.band.z = state.gaussians;
         camera.band.w = state.room;
         now = steps[at];

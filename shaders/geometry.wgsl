@@ -71,3 +71,26 @@ fn geometry(c0: vec4<f32>, q0: vec4<f32>, s0: vec3<f32>) -> Geometry {
         && finite(g.inverse_norm) && abs(g.mean.x + g.mean.y) < 1e9 && g.inverse_norm < 1e18;
     return g;
 }
+
+// Number of the shortest axis, of equal ones the first.
+fn shortest(log_scales: vec3<f32>) -> u32 {
+    var least = select(0u, 1u, log_scales.y < log_scales.x);
+    if (log_scales.z < min(log_scales.x, log_scales.y)) {
+        least = 2u;
+    }
+    return least;
+}
+
+// That axis in camera space, towards the camera; w: 1, or −1 where it was turned round.
+fn normal(g: Geometry, axis: u32) -> vec4<f32> {
+    let r = turn(g.quaternion);
+    var a = r[0];
+    if (axis == 1u) {
+        a = r[1];
+    } else if (axis == 2u) {
+        a = r[2];
+    }
+    let n = vec3(dot(view.row0.xyz, a), dot(view.row1.xyz, a), dot(view.row2.xyz, a));
+    let facing = select(1.0, -1.0, dot(n, g.point) > 0.0);
+    return vec4(facing * n, facing);
+}

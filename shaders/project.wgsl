@@ -20,21 +20,6 @@
 var<workgroup> seen: atomic<u32>;
 var<workgroup> pairs: atomic<u32>;
 
-fn normal(g: Geometry, log_scales: vec3<f32>) -> vec3<f32> {
-    let r = turn(g.quaternion);
-    var axis = r[0];
-    var least = log_scales.x;
-    if (log_scales.y < least) {
-        axis = r[1];
-        least = log_scales.y;
-    }
-    if (log_scales.z < least) {
-        axis = r[2];
-    }
-    let n = vec3(dot(view.row0.xyz, axis), dot(view.row1.xyz, axis), dot(view.row2.xyz, axis));
-    return select(n, -n, dot(n, g.point) > 0.0);
-}
-
 // Number of tiles; 0 where the Gaussian cannot be seen.
 fn project(i: u32) -> u32 {
     let c0 = core[i];
@@ -79,7 +64,7 @@ fn project(i: u32) -> u32 {
     }
     var tint = max(rgb, vec3(0.0));
     if (view.background.w != 0.0) {
-        tint = normal(g, core[2u * chunk.stride + i].xyz);
+        tint = normal(g, shortest(core[2u * chunk.stride + i].xyz)).xyz;
     }
     splats[i] = Splat(place, form, vec4(tint, g.point.z));
     keys[chunk.first + i] = bitcast<u32>(g.point.z);

@@ -104,7 +104,9 @@ fn project_backward(
     let inverse_distance = 1.0 / max(length(d), 1e-20);
     d *= inverse_distance;
     let rgb = shade(d, s) + 0.5;
-    let v = select(vec3(0.0), vec3(up[6], up[7], up[8]), rgb > vec3(0.0));
+    let tint = vec3(up[6], up[7], up[8]);
+    let of_normals = view.background.w != 0.0;
+    let v = select(vec3(0.0), tint, (rgb > vec3(0.0)) & vec3(!of_normals));
     out.color = v;
     out.basis = basis(d, degree);
     var weights: array<vec4<f32>, 4>;
@@ -178,9 +180,23 @@ fn project_backward(
     let dm1 = dax.y * w0 + day.y * w1 + daz.y * w2;
     let dm2 = dax.z * w0 + day.z * w1 + daz.z * w2;
     out.scale = vec3(dot(r[0], dm0), dot(r[1], dm1), dot(r[2], dm2)) * g.scale;
-    let r0 = dm0 * g.scale.x;
-    let r1 = dm1 * g.scale.y;
-    let r2 = dm2 * g.scale.z;
+    var r0 = dm0 * g.scale.x;
+    var r1 = dm1 * g.scale.y;
+    var r2 = dm2 * g.scale.z;
+    var n = vec4(0.0);
+    if (of_normals) {
+        // n = ± W · R's column.
+        let axis = shortest(s0);
+        n = normal(g, axis);
+        let world = n.w * (tint.x * w0 + tint.y * w1 + tint.z * w2);
+        if (axis == 0u) {
+            r0 += world;
+        } else if (axis == 1u) {
+            r1 += world;
+        } else {
+            r2 += world;
+        }
+    }
     let u = g.quaternion;
     // r0.y is ∂L/∂R₁₀ and so on: columns first.
     let q = 2.0 * vec4(
@@ -191,9 +207,9 @@ fn project_backward(
     );
     out.rotation = (q - dot(q, u) * u) * g.inverse_norm;
 
-    // Pose: p' = ω × p + v, axes' = ω × axes, and the eye moves by −Wᵀ v.
+    // Pose: p' = ω × p + v, axes' = ω × axes, n' = ω × n, and the eye moves by −Wᵀ v.
     out.shift = dp + vec3(dot(w0, direction), dot(w1, direction), dot(w2, direction));
-    out.turn = cross(g.point, dp) + cross(vec3(g.ax.x, g.ay.x, g.az.x), vec3(dax.x, day.x, daz.x))
+    out.turn = cross(g.point, dp) + cross(n.xyz, tint) + cross(vec3(g.ax.x, g.ay.x, g.az.x), vec3(dax.x, day.x, daz.x))
         + cross(vec3(g.ax.y, g.ay.y, g.az.y), vec3(dax.y, day.y, daz.y))
         + cross(vec3(g.ax.z, g.ay.z, g.az.z), vec3(dax.z, day.z, daz.z));
     let sum = dot(out.position, vec3(1.0)) + out.opacity + dot(out.rotation, vec4(1.0)) + dot(out.scale, vec3(1.0))

@@ -13,7 +13,7 @@ struct Step {
     loss: vec4<f32>,
     // Seed of the background's noise (low, high), number of the target, degree of harmonics.
     words: vec4<u32>,
-    // Seed of MCMC's noise.
+    // Seed of MCMC's noise; 1 where the target is a picture of normals.
     more_words: vec4<u32>,
 }
 

@@ -107,7 +107,8 @@ fn main(
                 let flat_ = now.more_rates.x;
                 let more = now.more_rates.y;
                 let v = g.color;
-                for (var m = 0u; m < 4u; m++) {
+                // Normals say nothing of colours.
+                for (var m = 0u; m < 4u && view.background.w == 0.0; m++) {
                     let b = g.basis[m];
                     let at = 3u * m * stride + i;
                     if (3u * m < planes) {

@@ -11,6 +11,7 @@ use crate::models::{Engine, prior};
 use crate::photo::{Photo, Plane};
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
+use crate::splat::render::Shown;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
 use crate::symmetry::{self, Fit, MirroredPhoto, Use};
@@ -22,6 +23,7 @@ const VIEW_SIZE: u32 = 256;
 pub const PHOTO: &str = "photo";
 pub const MIRRORED: &str = "mirrored photo";
 pub const VIEW: &str = "view";
+pub const NORMALS: &str = "normals";
 pub const HELD_BACK: &str = "held back";
 
 const GREY: [f32; 3] = [0.5; 3];
@@ -220,7 +222,8 @@ pub fn fit(
     };
     clock.lap("six views");
 
-    let trained = optimise(fitter, &one_view, mirrored.as_ref(), &six, &between, settings, progress)?;
+    let views = Shot { six: &six, normals: sources.normals.as_deref().unwrap_or(&[]), between: &between };
+    let trained = optimise(fitter, &one_view, mirrored.as_ref(), &views, settings, progress)?;
     clock.lap("optimisation");
 
     Ok(Fitted {
@@ -237,14 +240,21 @@ pub fn fit(
     })
 }
 
-/// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, and views
-/// between them that are measured but never trained on.
+/// What was drawn of the subject.
+struct Shot<'a> {
+    six: &'a [(Camera, Frame)],
+    /// Of the six, or none.
+    normals: &'a [Vec<[f32; 3]>],
+    between: &'a [(Camera, Frame)],
+}
+
+/// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, their normals
+/// where there are any, and views between them that are measured but never trained on.
 fn optimise(
     fitter: splat::Engine,
     prior: &OneView,
     mirrored: Option<&MirroredPhoto>,
-    six: &[(Camera, Frame)],
-    between: &[(Camera, Frame)],
+    views: &Shot,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<splat::Trained> {
@@ -255,6 +265,7 @@ fn optimise(
         weight: 1.0,
         refine_pose: true,
         held_back: Some(held_back(prior.mask.width, settings.seed)),
+        shown: Shown::Color,
         name: PHOTO.into(),
     }];
     targets.extend(mirrored.map(|m| Target {
@@ -264,6 +275,7 @@ fn optimise(
         weight: 0.6,
         refine_pose: true,
         held_back: Some(m.seen_directly.clone()),
+        shown: Shown::Color,
         name: MIRRORED.into(),
     }));
     let view = |name: String, (camera, frame): &(Camera, Frame), weight: f32| Target {
@@ -273,10 +285,16 @@ fn optimise(
         weight,
         refine_pose: false,
         held_back: None,
+        shown: Shown::Color,
         name,
     };
-    targets.extend(six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
-    targets.extend(between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
+    targets.extend(views.six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
+    targets.extend(views.six.iter().zip(views.normals).enumerate().map(|(i, (v, normals))| Target {
+        color: normals.clone(),
+        shown: Shown::Normals,
+        ..view(format!("{NORMALS} {}", i + 1), v, 0.1)
+    }));
+    targets.extend(views.between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
     progress.begin("optimisation", 0);
     let wanted = settings.iterations as usize;
     let iterations = match (&settings.kept.from, settings.optimise_within) {

@@ -40,13 +40,22 @@ pub struct Sources {
     pub mask: Mask,
     pub depth: Option<Network>,
     pub views: Views,
+    /// Of the six views, where they are given: [`tile::normals`].
+    pub normals: Option<Vec<Vec<[f32; 3]>>>,
     /// Tiles made earlier.
     pub cache: Option<Cache>,
 }
 
 impl Default for Sources {
     fn default() -> Self {
-        Sources { engine: Box::new(Rten), mask: Mask::BuiltIn(None), depth: None, views: Views::BuiltIn, cache: None }
+        Sources {
+            engine: Box::new(Rten),
+            mask: Mask::BuiltIn(None),
+            depth: None,
+            views: Views::BuiltIn,
+            normals: None,
+            cache: None,
+        }
     }
 }
 

@@ -95,6 +95,16 @@ fn ball() -> image::RgbImage {
     })
 }
 
+/// The ball's normals: x right, y up, z towards the camera.
+fn ball_normals() -> image::RgbImage {
+    image::RgbImage::from_fn(640, 960, |x, y| {
+        let (dx, dy) = (((x % 320) as f32 - 159.5) / 100.0, ((y % 320) as f32 - 159.5) / 100.0);
+        let under = 1.0 - dx * dx - dy * dy;
+        let n = if under > 0.0 { [dx, -dy, under.sqrt()] } else { [0.0; 3] };
+        image::Rgb(n.map(|v| (v * 127.5 + 128.0) as u8))
+    })
+}
+
 #[test]
 fn a_run_with_networks_and_views_says_and_pins_what_ran() {
     let m = Machine::new();
@@ -108,7 +118,18 @@ fn a_run_with_networks_and_views_says_and_pins_what_ran() {
     let (photo, out) = (root().join("tests/data/container.jpg"), m.path("out"));
     let mut args =
         vec!["geo", "--origin", "1,2,3", "--iterations", "4", "--engine", "rten", "-o", out.to_str().unwrap()];
-    args.extend(["--point", "256,240", "--views", "views.png", "--height", "2", "--verbose"]);
+    ball_normals().save(m.path("normals.png")).unwrap();
+    args.extend([
+        "--point",
+        "256,240",
+        "--views",
+        "views.png",
+        "--normals",
+        "normals.png",
+        "--height",
+        "2",
+        "--verbose",
+    ]);
     let done = m.orb(&args, std::slice::from_ref(&photo));
     ends(
         &done,
@@ -117,7 +138,9 @@ fn a_run_with_networks_and_views_says_and_pins_what_ran() {
     );
     let record = m.orb(&["audit", "show"], std::slice::from_ref(&out));
     let said = text(&record);
-    for words in ["sam2-samexporter", "depth-anything-v2-small", "unverified", "views.png", "orb-splat-core"] {
+    let words =
+        ["sam2-samexporter", "depth-anything-v2-small", "unverified", "views.png", "normals.png", "orb-splat-core"];
+    for words in words {
         assert!(said.contains(words), "{words} in {said}");
     }
     let shown = m.orb(&["audit", "show", "--json"], std::slice::from_ref(&out));
@@ -156,6 +179,8 @@ fn options_that_cannot_be_met_are_refused_and_publish_nothing() {
     ends(&run(&["--mask", "views.png"]), 2, &["640 × 960"]);
     ends(&run(&["--mask", "absent.png"]), 5, &["absent.png"]);
     ends(&run(&["--views", "black.png"]), 2, &["640 × 960"]);
+    ends(&run(&["--views", "views.png", "--normals", "black.png"]), 2, &["normals", "640 × 960"]);
+    ends(&run(&["--normals", "views.png"]), 2, &["--views"]);
     ends(&run(&["--networks", "sam2-tiny"]), 2, &["sam2-tiny"]);
     ends(&run(&["--engine", "rten", "--provider", "cuda"]), 2, &["--engine ort"]);
     ends(&run(&["--onnxruntime", "text.onnx", "--engine", "ort"]), 5, &["no ONNX Runtime 1"]);

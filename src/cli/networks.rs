@@ -63,6 +63,10 @@ pub struct NetworkArgs {
     #[arg(long, value_name = "FILE", help_heading = "Networks")]
     pub views: Option<PathBuf>,
 
+    /// Normals of the six views as a picture like --views: −1 to 1 as 0 to 255, x right, y up, z towards the camera.
+    #[arg(long, value_name = "FILE", requires = "views", help_heading = "Networks")]
+    pub normals: Option<PathBuf>,
+
     /// `auto`: all that were imported, six views only where a GPU draws them; `built-in`: none; or names of imported
     /// networks, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "auto", value_name = "NAMES", help_heading = "Networks")]
@@ -123,6 +127,10 @@ pub fn choose(
         }
         None => None,
     };
+    let normals = match &args.normals {
+        Some(path) => Some(tile::normals(&read(path, "normals")?.pixels)?),
+        None => None,
+    };
     let prompt = prompt(args)?.on(size.0, size.1)?;
 
     let registry = registry(data);
@@ -180,6 +188,7 @@ pub fn choose(
             (None, Some(network)) => Views::Network(network, settings),
             (None, None) => Views::BuiltIn,
         },
+        normals,
         cache: Some(Cache::at(data.path().join("cache").join("views"))),
     };
     Ok(Chosen { sources, inputs })

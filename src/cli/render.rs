@@ -42,7 +42,7 @@ pub struct Render {
     /// Also write the depth as a 16-bit PNG; frames.json says how many scene units a step is.
     #[arg(long)]
     pub depth: bool,
-    /// Also write the surface's normals as a PNG: x right, y down, z away from the camera, −1 to 1 as 0 to 255.
+    /// Also write the surface's normals as a PNG: x right, y up, z towards the camera, −1 to 1 as 0 to 255.
     #[arg(long)]
     pub normals: bool,
     /// Red, green and blue behind the scene, 0 to 1.
@@ -151,7 +151,8 @@ pub fn run(
                 None => render::normals(&scene, camera),
             };
             let file = format!("{name}_normals.png");
-            let bytes: Vec<u8> = normals.iter().flatten().map(|v| (v * 127.5 + 128.0) as u8).collect();
+            let bytes: Vec<u8> =
+                normals.iter().flat_map(|n| [n[0], -n[1], -n[2]].map(|v| (v * 127.5 + 128.0) as u8)).collect();
             put(&file, &png(&frame, &bytes, ExtendedColorType::Rgb8)?)?;
             entry["normals_file"] = file.into();
         }
@@ -270,7 +271,7 @@ mod tests {
         // The discs lie in the ground plane, the camera stands above it: up is towards the camera and the top.
         let normals = image::load_from_memory(&files["0000_normals.png"]).unwrap().into_rgb8();
         let [x, y, z] = normals.get_pixel(16, 16).0;
-        assert!((126..=130).contains(&x) && y < 120 && z < 120, "{x} {y} {z}");
+        assert!((126..=130).contains(&x) && y > 136 && z > 136, "{x} {y} {z}");
         assert_eq!(normals.get_pixel(0, 0).0, [128; 3], "nothing drawn");
         let list = list_of(&files);
         let cameras = cameras::parse(Path::new("frames.json"), &files["frames.json"]).unwrap();

@@ -6,6 +6,7 @@ use super::six_views;
 use super::tile::View;
 use crate::models::splat_prior::OneView;
 use crate::progress::Progress;
+use crate::splat::render::Shown;
 use crate::splat::{self, Camera, Gaussians, Target};
 use crate::{Error, Result};
 
@@ -57,6 +58,7 @@ fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress
         weight: 1.0,
         refine_pose: false,
         held_back: None,
+        shown: Shown::Color,
         name,
     };
     let mut targets = vec![target(photo.camera, &photo.colour, &photo.mask.data, "photo".into())];

@@ -55,6 +55,39 @@ pub fn cut(tile: &RgbaImage) -> Result<Vec<View>> {
         .collect()
 }
 
+/// Normals of the six views from a tile of pictures of them, each a unit vector in its camera's space (x right, y down,
+/// z forward): −1 to 1 as 0 to 255, x right, y up, z towards the camera. 0 where nothing is shown: Zero123++'s own
+/// rule is a length under 0.2.
+///
+/// # Errors
+/// A usage error for another size, or a view with no normals.
+pub fn normals(tile: &RgbImage) -> Result<Vec<Vec<[f32; 3]>>> {
+    if tile.dimensions() != SIZE {
+        return Err(Error::usage("normals of the six views")
+            .expected(format!("a tile of {} × {} pixels: two views across, three down", SIZE.0, SIZE.1))
+            .found(format!("{} × {}", tile.width(), tile.height())));
+    }
+    let unit = |p: &Rgb<u8>| {
+        let [r, g, b] = p.0.map(|v| (f32::from(v) - 127.5) / 127.5);
+        let n = glam::Vec3::new(r, -g, -b);
+        if n.length() < 0.2 { [0.0; 3] } else { n.normalize().to_array() }
+    };
+    (0..6)
+        .map(|i| {
+            let part = image::imageops::crop_imm(tile, i % 2 * SIDE, i / 2 * SIDE, SIDE, SIDE).to_image();
+            let all: Vec<[f32; 3]> = part.pixels().map(unit).collect();
+            // A surface that is seen faces the camera.
+            let facing = all.iter().filter(|n| n[2] < 0.0).count();
+            if facing < 100 {
+                return Err(Error::usage("normals of the six views")
+                    .expected("a subject's normals in each view, blue where it faces the camera")
+                    .found(format!("view {}: {facing} pixels that face it", i + 1)));
+            }
+            Ok(all)
+        })
+        .collect()
+}
+
 fn by_alpha(part: &RgbaImage) -> View {
     let colour = part.pixels().map(|p| [p.0[0], p.0[1], p.0[2]].map(|v| f32::from(v) / 255.0)).collect();
     let data = part.pixels().map(|p| f32::from(p.0[3]) / 255.0).collect();
@@ -173,6 +206,21 @@ mod tests {
         }
         let views = cut(&tile).unwrap();
         assert!(views[3].alpha.at(160, 160) == 1.0 && views[3].alpha.at(0, 0) == 0.0);
+    }
+
+    #[test]
+    fn normals_are_read_in_camera_space() {
+        let mut tile = RgbImage::from_pixel(SIZE.0, SIZE.1, Rgb([128, 128, 255]));
+        tile.put_pixel(330, 5, Rgb([255, 128, 128]));
+        tile.put_pixel(331, 5, Rgb([128, 255, 128]));
+        tile.put_pixel(332, 5, Rgb([127, 128, 130]));
+        let views = normals(&tile).unwrap();
+        let near = |at: usize, want: [f32; 3]| views[1][at].iter().zip(want).all(|(a, b)| (a - b).abs() < 0.02);
+        assert!(near(0, [0.0, 0.0, -1.0]) && near(5 * 320 + 10, [1.0, 0.0, 0.0]));
+        assert!(near(5 * 320 + 11, [0.0, -1.0, 0.0]) && views[1][5 * 320 + 12] == [0.0; 3]);
+        assert!(normals(&RgbImage::new(320, 320)).unwrap_err().found.contains("320 × 320"));
+        let grey = RgbImage::from_pixel(SIZE.0, SIZE.1, Rgb([128; 3]));
+        assert!(normals(&grey).unwrap_err().found.contains("view 1"));
     }
 
     #[test]

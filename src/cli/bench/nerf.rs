@@ -6,6 +6,7 @@ use glam::{Mat3, Mat4, Vec3};
 use rayon::prelude::*;
 use serde::Deserialize;
 
+use crate::splat::render::Shown;
 use crate::splat::{Camera, Gaussians, SH_COEFFICIENTS, Target};
 use crate::{Error, Result};
 
@@ -68,6 +69,7 @@ pub fn targets(list: &Path) -> Result<(Vec<Target>, bool)> {
             weight: 1.0,
             refine_pose: false,
             held_back: None,
+            shown: Shown::Color,
             name: f.file_path.clone(),
         });
     }

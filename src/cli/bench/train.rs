@@ -11,6 +11,7 @@ use crate::cli::checkpoint::CheckpointArgs;
 use crate::cli::device::Device;
 use crate::cli::{cameras, render};
 use crate::progress::Progress;
+use crate::splat::render::Shown;
 use crate::splat::render::gpu::Gpu;
 use crate::splat::train::gpu::measure;
 use crate::splat::train::{Behind, Checkpoint, advance};
@@ -259,6 +260,7 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
                 weight: 1.0,
                 refine_pose: false,
                 held_back: None,
+                shown: Shown::Color,
                 name: format!("view {i}"),
             }
         })

@@ -103,7 +103,7 @@ impl Kernel for Project<'_> {
             }
             let tint = match self.view.shown {
                 Shown::Color => rgb.map(|v| v.max(0.0)),
-                Shown::Normals => g.normal(core, self.view),
+                Shown::Normals => g.normal(core, self.view).0,
             };
             *rank = g.depth().to_bits();
             let [a, b, c] = g.conic;

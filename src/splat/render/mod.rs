@@ -18,4 +18,4 @@ pub(crate) mod tests;
 pub(crate) use cpu::Raster;
 use cpu::unit;
 pub use cpu::{Frame, normals, render};
-use projection::Shown;
+pub use projection::Shown;

@@ -61,10 +61,12 @@ pub struct View {
 }
 
 /// What a picture is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shown {
+    #[default]
     Color,
-    /// Of the surface that the Gaussians stand for: see [`Geometry::normal`].
+    /// Of the surface that the Gaussians stand for, in camera space (x right, y down, z forward), towards the camera:
+    /// each Gaussian's shortest axis.
     Normals,
 }
 
@@ -176,14 +178,16 @@ impl Geometry {
         self.point[2]
     }
 
-    /// The Gaussian's shortest axis in camera space, a unit vector towards the camera. Of equally short ones the first.
+    /// The Gaussian's shortest axis (of equally short ones the first) in camera space, a unit vector towards the camera;
+    /// which axis it is, and 1, or −1 where it was turned round.
     #[inline(always)]
-    pub fn normal(&self, core: &Core, view: &View) -> V3 {
+    pub fn normal(&self, core: &Core, view: &View) -> (V3, usize, f32) {
         let s = &core[SCALE..SCALE + 3];
         let k = if s[1] < s[0] { 1 } else { 0 };
         let k = if s[2] < s[k] { 2 } else { k };
         let n = apply(&view.rotation, three(|i| self.rotation[i][k]));
-        if dot(n, self.point) > 0.0 { three(|i| -n[i]) } else { n }
+        let sign = if dot(n, self.point) > 0.0 { -1.0 } else { 1.0 };
+        (three(|i| sign * n[i]), k, sign)
     }
 
     /// Half the width and height of the ellipse on which alpha falls to [`MIN_ALPHA`], and its level 2 ln(255 o).
@@ -250,7 +254,7 @@ pub fn backward(core: &Core, coefficients: &Sh, view: &View, degree: usize, up: 
     let (rgb, d, inverse_distance, b) = color(core, coefficients, view, degree);
     let mut weights = [0.0; 16];
     for c in 0..3 {
-        let v = if rgb[c] > 0.0 { up.color[c] } else { 0.0 };
+        let v = if rgb[c] > 0.0 && view.shown == Shown::Color { up.color[c] } else { 0.0 };
         for k in 0..16 {
             out.sh[c * 16 + k] = v * b[k];
             weights[k] += v * coefficients[c * 16 + k];
@@ -325,14 +329,27 @@ pub fn backward(core: &Core, coefficients: &Sh, view: &View, degree: usize, up: 
         }
         out.core[SCALE + j] = ds * g.scale[j];
     }
+    let mut normal = [0.0; 3];
+    if view.shown == Shown::Normals {
+        // n = ± W · R's column.
+        let (n, axis, sign) = g.normal(core, view);
+        normal = n;
+        let world = apply_transposed(&view.rotation, up.color);
+        for i in 0..3 {
+            dr[i][axis] += sign * world[i];
+        }
+    }
     let q = quaternion_gradient(g.quaternion, &dr);
     let along = q[0] * g.quaternion[0] + q[1] * g.quaternion[1] + q[2] * g.quaternion[2] + q[3] * g.quaternion[3];
     for i in 0..4 {
         out.core[ROTATION + i] = (q[i] - along * g.quaternion[i]) * g.inverse_norm;
     }
 
-    // Pose: p' = ω × p + v, axes' = ω × axes, and the eye moves by −Wᵀ v.
-    let mut turn = cross(g.point, dp);
+    // Pose: p' = ω × p + v, axes' = ω × axes, n' = ω × n, and the eye moves by −Wᵀ v.
+    let (mut turn, of_normal) = (cross(g.point, dp), cross(normal, up.color));
+    for i in 0..3 {
+        turn[i] += of_normal[i];
+    }
     for j in 0..3 {
         let t = cross([g.axes[0][j], g.axes[1][j], g.axes[2][j]], [daxes[0][j], daxes[1][j], daxes[2][j]]);
         for i in 0..3 {

@@ -1,6 +1,7 @@
 //! The renderer as its definition reads, for tests: f64, every pixel against every Gaussian, no tiles, no lanes, nothing
 //! shared with the real one. A parameter is a plain number, so any of them can be nudged for a finite difference.
 
+use super::projection::Shown;
 use crate::splat::{Camera, Gaussians};
 
 /// One Gaussian: position 3, logit opacity, quaternion 4, log scales 3, then 48 colour coefficients channel-major.
@@ -91,7 +92,7 @@ fn basis([x, y, z]: [f64; 3]) -> [f64; 16] {
     ]
 }
 
-fn flatten(g: &Parameters, c: &Camera, pose: &Pose) -> Option<Flat> {
+fn flatten(g: &Parameters, c: &Camera, pose: &Pose, shown: Shown) -> Option<Flat> {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let p = [g[0], g[1], g[2]];
     let q: [f64; 3] = std::array::from_fn(|i| dot(pose.r[i], p) + pose.t[i]);
@@ -126,6 +127,11 @@ fn flatten(g: &Parameters, c: &Camera, pose: &Pose) -> Option<Flat> {
     let length = dot(d, d).sqrt();
     let b = basis(d.map(|v| v / length));
     let rgb = std::array::from_fn(|ch| ((0..16).map(|k| b[k] * g[11 + ch * 16 + k]).sum::<f64>() + 0.5).max(0.0));
+    // The shortest axis in camera space, towards the camera.
+    let axis = (0..3).fold(0, |least, k| if g[8 + k] < g[8 + least] { k } else { least });
+    let n: [f64; 3] = std::array::from_fn(|i| (0..3).map(|k| pose.r[i][k] * r[k][axis]).sum());
+    let normal = if dot(n, q) > 0.0 { n.map(|v| -v) } else { n };
+    let rgb = if shown == Shown::Normals { normal } else { rgb };
     Some(Flat {
         z: q[2],
         mean: [fx * q[0] / q[2] + cx, fy * q[1] / q[2] + cy],
@@ -136,7 +142,12 @@ fn flatten(g: &Parameters, c: &Camera, pose: &Pose) -> Option<Flat> {
 }
 
 pub fn render(gaussians: &[Parameters], camera: &Camera, pose: &Pose) -> Vec<Pixel> {
-    let mut flat: Vec<Flat> = gaussians.iter().filter_map(|g| flatten(g, camera, pose)).collect();
+    render_shown(gaussians, camera, pose, Shown::Color)
+}
+
+/// Colours, or normals in their place.
+pub fn render_shown(gaussians: &[Parameters], camera: &Camera, pose: &Pose, shown: Shown) -> Vec<Pixel> {
+    let mut flat: Vec<Flat> = gaussians.iter().filter_map(|g| flatten(g, camera, pose, shown)).collect();
     flat.sort_by(|a, b| a.z.total_cmp(&b.z));
     let mut out = Vec::new();
     for y in 0..camera.height {

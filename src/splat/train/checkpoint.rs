@@ -12,6 +12,7 @@ use super::density::Statistics;
 use super::pose::Pose;
 use super::{Engine, Options, Target, check};
 use crate::splat::packed::{Core, Packed, Sh};
+use crate::splat::render::Shown;
 use crate::splat::{Camera, Gaussians};
 use crate::whole_file::{self, Found};
 use crate::{Error, Result};
@@ -111,7 +112,7 @@ impl Run {
             pictures.update(cast_slice(&t.color));
             pictures.update(cast_slice(&t.alpha));
             pictures.update(t.weight.to_le_bytes());
-            pictures.update([u8::from(t.refine_pose), u8::from(t.held_back.is_some())]);
+            pictures.update([t.refine_pose, t.held_back.is_some(), t.shown == Shown::Normals].map(u8::from));
             t.held_back.iter().flatten().for_each(|h| pictures.update([u8::from(*h)]));
         }
         let mut gaussians = Sha256::new();
@@ -283,6 +284,7 @@ mod tests {
             weight: 1.0,
             refine_pose: true,
             held_back: Some(vec![false; 48]),
+            shown: Shown::Color,
             name: "picture".into(),
         };
         let targets = vec![target];

@@ -55,7 +55,7 @@ pub fn advance(
         let Some(turn) = turns.next() else { break };
         let (target, wanted) = (&targets[turn], &wanted[turn]);
         let Some((_, loss)) = losses.iter_mut().find(|(size, _)| *size == (wanted.width, wanted.height)) else { break };
-        let view = View::new(&cameras[turn]);
+        let view = View { shown: target.shown, ..View::new(&cameras[turn]) };
         let degree = options.degree(iteration);
         lap();
         raster.bins.build(&gaussians, &view, degree);
@@ -64,7 +64,7 @@ pub fn advance(
         seconds.forward += lap();
         let starts = &raster.bins.starts;
         let drawn = |t: usize| starts[t] < starts[t + 1];
-        loss.evaluate(&raster.tiles, drawn, wanted, options.background(iteration), options.lambda_dssim, 1.0);
+        loss.evaluate(&raster.tiles, drawn, wanted, options.behind(target, iteration), options.lambda_dssim, 1.0);
         seconds.loss += lap();
         raster.backward(&loss.tiles);
         seconds.backward += lap();

@@ -21,8 +21,8 @@ pub use checkpoint::{Checkpoint, Kept, Saved};
 pub use quality::Quality;
 pub use schedule::{Behind, Density, Options, Rates, Strategy};
 
-use super::render::Raster;
 use super::render::gpu::Gpu;
+use super::render::{Raster, Shown};
 use super::{Camera, Gaussians};
 use crate::progress::Progress;
 use crate::{Error, Result};
@@ -40,6 +40,8 @@ pub struct Target {
     pub refine_pose: bool,
     /// Pixels never trained on: in the loss the render itself, held fixed, stands there.
     pub held_back: Option<Vec<bool>>,
+    /// What `color` is: of normals, unit vectors as [`super::render::normals`] draws them.
+    pub shown: Shown,
     pub name: String,
 }
 

@@ -5,9 +5,10 @@ use crate::splat::Camera;
 use crate::splat::packed::Packed;
 use crate::splat::render::Raster;
 use crate::splat::render::binning::TILE;
-use crate::splat::render::projection::View;
+use crate::splat::render::projection::{Shown, View};
 
-/// PSNR in dB, both pictures over mid-grey or the fixed background, the render clamped to 0..1.
+/// PSNR in dB, both pictures over mid-grey or the fixed background, the render clamped to 0..1; of normals, over
+/// nothing and clamped to −1..1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
     /// Over pixels trained on, inside the mask (alpha > ½).
@@ -33,7 +34,11 @@ pub fn measure(
         .iter()
         .zip(targets)
         .map(|(camera, target)| {
-            let view = View::new(camera);
+            let view = View { shown: target.shown, ..View::new(camera) };
+            let (behind, least) = match target.shown {
+                Shown::Color => (behind, 0.0),
+                Shown::Normals => ([0.0; 3], -1.0),
+            };
             raster.bins.build(gaussians, &view, 3);
             raster.forward(&view, None);
             // Σ of squares and their number: subject, picture, held back.
@@ -45,7 +50,7 @@ pub fn measure(
                 let through = tile.transmittance[at].abs();
                 let mut square = 0.0;
                 for ((wanted, color), behind) in wanted.iter().zip(&tile.color).zip(behind) {
-                    let rendered = (color[at] + behind * through).clamp(0.0, 1.0);
+                    let rendered = (color[at] + behind * through).clamp(least, 1.0);
                     let e = (rendered - (wanted * alpha + behind * (1.0 - alpha))) as f64;
                     square += e * e / 3.0;
                 }

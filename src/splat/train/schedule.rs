@@ -2,9 +2,11 @@
 
 use std::time::Instant;
 
+use super::Target;
 use super::adam::LaneRates;
 use super::loss::Background;
 use super::random::hash;
+use crate::splat::render::Shown;
 
 /// Adam's step sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -244,8 +246,16 @@ impl Options {
         RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics }
     }
 
+    /// What lies behind the subject in this target's turn: nothing, where normals are shown.
+    pub(super) fn behind(&self, target: &Target, iteration: usize) -> Background {
+        match target.shown {
+            Shown::Color => self.background(iteration),
+            Shown::Normals => Background::Flat([0.0; 3]),
+        }
+    }
+
     /// Where it changes: black, white, grey and noise in turn, in an order that the seed picks.
-    pub(super) fn background(&self, iteration: usize) -> Background {
+    fn background(&self, iteration: usize) -> Background {
         if let Behind::Fixed(color) = self.behind {
             return Background::Flat(color);
         }

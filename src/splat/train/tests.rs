@@ -22,6 +22,7 @@ fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
                 weight: 1.0,
                 refine_pose: false,
                 held_back: None,
+                shown: Shown::Color,
                 name: format!("view {i}"),
             }
         })

@@ -8,7 +8,7 @@ use super::mcmc;
 use super::random::hash;
 use crate::splat::packed::{Core, OPACITY, Packed, SCALE, Sh};
 use crate::splat::render::Raster;
-use crate::splat::render::projection::{View, backward};
+use crate::splat::render::projection::{Shown, View, backward};
 use crate::splat::simd::{Kernel, Simd, dispatch};
 
 /// Gaussians a parallel job; fixed, so that sums do not depend on the number of threads.
@@ -70,8 +70,10 @@ impl Kernel for Chunk<'_> {
             }
             let [m, v] = &mut self.core_moments[i];
             step(s, &mut self.core[i], (m, v), &g.core, &how.rates.core, correction);
-            let [m, v] = &mut self.sh_moments[i];
-            step(s, &mut self.sh[i], (m, v), &g.sh, &how.rates.sh, correction);
+            if self.view.shown == Shown::Color {
+                let [m, v] = &mut self.sh_moments[i];
+                step(s, &mut self.sh[i], (m, v), &g.sh, &how.rates.sh, correction);
+            }
             if how.noise.0 > 0.0 {
                 mcmc::disturb(&mut self.core[i], how.noise.0, how.noise.1 ^ hash((self.start + i) as u64));
             }

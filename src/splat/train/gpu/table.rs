@@ -1,5 +1,6 @@
 //! The whole schedule as the kernels read it: shaders/training.wgsl.
 
+use crate::splat::render::Shown;
 use crate::splat::train::Options;
 use crate::splat::train::loss::Background;
 use crate::splat::train::schedule::Turns;
@@ -28,7 +29,7 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
             let turn = turns.next()?;
             let (target, r) = (&targets[turn], options.rates_at(iteration));
             let pose = if target.refine_pose && iteration >= options.pose_from { options.rates.pose } else { 0.0 };
-            let (background, seed) = match options.background(iteration) {
+            let (background, seed) = match options.behind(target, iteration) {
                 Background::Flat([r, g, b]) => ([r, g, b, 0.0], [0, 0]),
                 Background::Noise(seed) => ([0.0, 0.0, 0.0, 1.0], halves(seed)),
             };
@@ -42,7 +43,7 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
                 background,
                 loss: [(1.0 - lambda) * share, -lambda * share, options.regulariser(), options.regulariser()],
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
-                more_words: [low, high, 0, 0],
+                more_words: [low, high, u32::from(target.shown == Shown::Normals), 0],
             })
         })
         .collect()

@@ -10,12 +10,13 @@ use super::run::Run;
 use super::table;
 use crate::progress::{Progress, Silent};
 use crate::splat::packed::{Core, Packed, Sh};
+use crate::splat::render::Shown;
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::{Gpu, STAGES};
 use crate::splat::render::projection::{View, backward};
 use crate::splat::render::reference::{self, Pose, parameters};
 use crate::splat::render::tests::{camera, scene};
-use crate::splat::render::{Raster, render};
+use crate::splat::render::{self, Raster, render};
 use crate::splat::train::loss::{Loss, Wanted};
 use crate::splat::train::random::Random;
 use crate::splat::train::{
@@ -119,7 +120,7 @@ fn on_gpu(
 /// The same on the CPU, and the loss.
 fn on_cpu(g: &Gaussians, target: &Target, options: &Options) -> (All, f64) {
     let packed = Packed::pack(g);
-    let view = View::new(&target.camera);
+    let view = View { shown: target.shown, ..View::new(&target.camera) };
     let degree = options.degree(0);
     let (w, h) = (target.camera.width as usize, target.camera.height as usize);
     let mut raster = Raster::default();
@@ -127,7 +128,7 @@ fn on_cpu(g: &Gaussians, target: &Target, options: &Options) -> (All, f64) {
     raster.forward(&view, None);
     let wanted = Wanted::new(w, h, &target.color, &target.alpha, target.held_back.as_deref());
     let mut loss = Loss::new(w, h);
-    let value = loss.evaluate(&raster.tiles, |_| true, &wanted, options.background(0), options.lambda_dssim, 1.0);
+    let value = loss.evaluate(&raster.tiles, |_| true, &wanted, options.behind(target, 0), options.lambda_dssim, 1.0);
     raster.backward(&loss.tiles);
     let mut all = All { core: Vec::new(), sh: Vec::new(), pose: [0.0; 6], sums: [0.0; 2] };
     for i in 0..g.len() {
@@ -189,6 +190,7 @@ fn target(camera: Camera, seed: u64) -> Target {
         weight: 1.0,
         refine_pose: true,
         held_back: Some((0..n).map(|i| i % 97 < 5).collect()),
+        shown: Shown::Color,
         name: "test".into(),
     }
 }
@@ -237,6 +239,89 @@ fn gradients_of_any_scene_are_those_of_the_cpu() {
         let (want, _) = on_cpu(&g, &t, &o);
         let pixels = [0, 1, 2, 4][seed as usize % 4];
         same(&on_gpu(gpu, &g, &t, &o, pixels, None), &want, &format!("seed {seed}, {w} × {h}, {n} Gaussians"));
+    }
+}
+
+#[test]
+fn gradients_of_normals_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (seed, n, size, w, h) in [(1, 300, 0.06, 93, 70), (2, 120, 0.2, 64, 64)] {
+        let g = scene(n, size, seed);
+        let c = camera(w, h);
+        let other = scene(60, 0.15, seed + 77);
+        let t = Target { shown: Shown::Normals, color: render::normals(&other, &c), ..target(c, seed) };
+        let o = options(3, Behind::Changing);
+        let (want, value) = on_cpu(&g, &t, &o);
+        assert!(want.sh.iter().flatten().all(|v| *v == 0.0));
+        for pixels in [0, 1, 2, 4] {
+            let got = on_gpu(gpu, &g, &t, &o, pixels, None);
+            same(&got, &want, &format!("normals {seed}, {pixels} pixels a thread"));
+            let loss = (0.8 * got.sums[0] + 0.2 * got.sums[1]) as f64 / (3 * w * h) as f64;
+            assert!((loss - value).abs() < 1e-4 * value + 1e-6, "loss {loss} {value}");
+        }
+    }
+}
+
+/// Discs over a ball of radius 0.8.
+fn ball(tilt: f32) -> Gaussians {
+    let mut r = Random::new(5);
+    let mut g = Gaussians::default();
+    for _ in 0..500 {
+        let out = Vec3::new(r.normal(), r.normal(), r.normal()).normalize();
+        let aside = Vec3::new(r.normal(), r.normal(), r.normal()) * tilt;
+        let q = glam::Quat::from_rotation_arc(Vec3::Z, (out + aside).normalize());
+        g.positions.push(0.8 * out);
+        g.log_scales.push(Vec3::new(0.08f32.ln(), 0.08f32.ln(), 0.02f32.ln()));
+        g.rotations.push([q.w, q.x, q.y, q.z]);
+        g.logit_opacities.push(3.0);
+        g.sh.push(std::array::from_fn(|k| if k == 0 { [0.4, 0.1, -0.2] } else { [0.0; 3] }));
+    }
+    g
+}
+
+#[test]
+fn pictures_of_normals_turn_the_surface() {
+    let Some(gpu) = gpu() else { return };
+    let (truth, start) = (ball(0.0), ball(0.5));
+    let view = |a: f32| Camera::look_at(Vec3::new(3.0 * a.cos(), 3.0 * a.sin(), 0.8), Vec3::ZERO, 0.7, 48);
+    let targets: Vec<Target> = (0..10)
+        .map(|i| {
+            let camera = view(i as f32 % 5.0 / 5.0 * std::f32::consts::TAU);
+            let frame = render(&truth, &camera, [0.0; 3]);
+            let shown = if i < 5 { Shown::Color } else { Shown::Normals };
+            let color = match shown {
+                Shown::Color => frame.color.iter().zip(&frame.alpha).map(|(c, a)| c.map(|v| v / a.max(1e-3))).collect(),
+                Shown::Normals => render::normals(&truth, &camera),
+            };
+            Target {
+                camera,
+                color,
+                alpha: frame.alpha,
+                shown,
+                held_back: None,
+                refine_pose: false,
+                ..target(camera, 1)
+            }
+        })
+        .collect();
+    let scaled = Options::scaled(150);
+    let o = Options { density: Density { until: 0, ..scaled.density }, ..scaled };
+    // Mean angle to the truth from where no picture was taken, radians.
+    let off = |g: &Gaussians| {
+        let camera = view(0.6);
+        let (a, b) = (render::normals(g, &camera), render::normals(&truth, &camera));
+        let angles = a.iter().zip(&b).filter(|(_, b)| **b != [0.0; 3]);
+        let angles: Vec<f32> =
+            angles.map(|(a, b)| Vec3::from(*a).dot(Vec3::from(*b)).clamp(-1.0, 1.0).acos()).collect();
+        angles.iter().sum::<f32>() / angles.len() as f32
+    };
+    for engine in [Engine::Cpu, Engine::Gpu(gpu)] {
+        let run = |targets: &[Target]| train(engine, start.clone(), targets, &o, &Silent).unwrap();
+        let (with, without) = (run(&targets), run(&targets[..5]));
+        let (a, b) = (off(&with.gaussians), off(&without.gaussians));
+        assert!(a < 0.6 * b && a < 0.3 * off(&start), "{a} with normals, {b} without, {} before", off(&start));
+        let normals = &with.report.targets[7];
+        assert!(normals.after.picture > normals.before.picture + 3.0, "{normals:?}");
     }
 }
 
@@ -349,6 +434,7 @@ fn problem(size: u32) -> (Vec<Target>, Gaussians) {
                 weight: 1.0,
                 refine_pose: i == 2,
                 held_back: None,
+                shown: Shown::Color,
                 name: format!("view {i}"),
             }
         })
