@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use orb::geo::{Ecef, Geodetic, Utm, mgrs};
+use orb::geo::{Ecef, Enu, Geodetic, Utm, mgrs};
 
 /// SplitMix64, seed 8, as in `geodesy_speed.cpp`.
 fn points(n: usize) -> Vec<Geodetic> {
@@ -38,12 +38,27 @@ fn main() {
     let n = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(200_000);
     let all = points(n);
     let ecef: Vec<Ecef> = all.iter().map(|g| g.to_ecef()).collect();
+    let here = Geodetic { latitude: 34.5523, longitude: -118.4712, height: 740.0 }.frame();
+    let enu: Vec<Enu> = ecef.iter().map(|e| here.to_enu(*e)).collect();
+    // Where UPS is prescribed.
+    let towards = |g: &Geodetic, from: f64, by: f64| (from + by * g.height.abs() / 1e6, g.longitude);
+    let polar: Vec<(f64, f64)> =
+        all.iter().map(|g| if g.latitude < 2.0 { towards(g, -90.0, 10.0) } else { towards(g, 84.0, 6.0) }).collect();
+    let ups: Vec<Utm> = polar.iter().map(|p| Utm::in_zone(p.0, p.1, 0)).collect();
+    let references: Vec<String> = all.iter().map(|g| mgrs::format(g.latitude, g.longitude, 5)).collect();
     let grid: Vec<Utm> = all.iter().map(|g| Utm::of(g.latitude, g.longitude)).collect();
     time("geodetic -> ecef", n, || all.iter().map(|g| g.to_ecef().x).sum());
     time("ecef -> geodetic", n, || ecef.iter().map(|e| e.to_geodetic()).map(|g| g.latitude + g.height).sum());
+    time("geodetic -> enu", n, || all.iter().map(|g| here.to_enu(g.to_ecef()).east).sum());
+    time("enu -> geodetic", n, || enu.iter().map(|e| here.to_ecef(*e).to_geodetic()).map(|g| g.latitude).sum());
     time("geodetic -> utm", n, || all.iter().map(|g| Utm::of(g.latitude, g.longitude).easting).sum());
     time("utm -> geodetic", n, || grid.iter().map(|u| u.to_degrees().0).sum());
+    time("geodetic -> ups", n, || polar.iter().map(|p| Utm::in_zone(p.0, p.1, 0).easting).sum());
+    time("ups -> geodetic", n, || ups.iter().map(|u| u.to_degrees().0).sum());
     time("geodetic -> mgrs", n, || {
         all.iter().map(|g| f64::from(mgrs::format(g.latitude, g.longitude, 5).as_bytes()[6])).sum()
+    });
+    time("mgrs -> geodetic", n, || {
+        references.iter().filter_map(|t| mgrs::parse(t).ok()).map(|s| s.centre.to_degrees().0).sum()
     });
 }

@@ -8,7 +8,7 @@ use crate::mesh::{self, Model};
 use crate::models::scene::{self, Subject};
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
-use crate::photo::{Photo, Plane};
+use crate::photo::Photo;
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
 use crate::splat::render::Shown;
@@ -186,12 +186,9 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
-    let mut improve = |one_view: &mut OneView, depth: Option<Plane>| {
-        depth.and_then(|plane| sources::fit_depth(one_view, &mut subject, plane))
-    };
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
-    if sources.views_are_the_priors() {
-        outcome.depth_fit = improve(&mut one_view, depth.take());
+    if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {
+        sources::fit_depth(&mut one_view, &mut subject, seen, &mut outcome);
     }
     clock.lap("3D from one view");
     progress.check()?;
@@ -215,7 +212,9 @@ pub fn fit(
         None => render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?,
     };
     // Views between the six are the prior's own; where others draw the six there is nothing to hold back.
-    outcome.depth_fit = outcome.depth_fit.or(improve(&mut one_view, depth));
+    if let Some(seen) = depth {
+        sources::fit_depth(&mut one_view, &mut subject, seen, &mut outcome);
+    }
     let between = match sources.views_are_the_priors() {
         true => render_all(&one_view.gaussians, &views::held_back(VIEW_SIZE), progress)?,
         false => Vec::new(),

@@ -77,6 +77,8 @@ pub struct Outcome {
     pub depth: Option<Ran>,
     /// None where no depth network ran, or where its depth did not agree with the prior's at all.
     pub depth_fit: Option<fit::Fit>,
+    /// Of a metric depth network.
+    pub front: Option<fit::Front>,
     pub views: Option<Ran>,
     /// SHA-256 of the tile's pixels, where one was drawn or given.
     pub tile_sha256: Option<String>,
@@ -144,13 +146,13 @@ impl Sources {
     ///
     /// # Errors
     /// As [`depth::inverse_depth`].
-    pub fn depth(&self, photo: &Photo, subject: &Subject, outcome: &mut Outcome) -> Result<Option<Plane>> {
+    pub fn depth(&self, photo: &Photo, subject: &Subject, outcome: &mut Outcome) -> Result<Option<depth::Seen>> {
         let Some(network) = &self.depth else { return Ok(None) };
         let kind = network.manifest.depth_kind.unwrap_or(DepthKind::Disparity);
         let size = (subject.depth.width, subject.depth.height);
-        let plane = depth::inverse_depth(&photo.pixels, kind, &*self.open(network, Role::Depth)?, size)?;
+        let seen = depth::inverse_depth(&photo.pixels, kind, &*self.open(network, Role::Depth)?, size)?;
         outcome.depth = Some(self.ran(network));
-        Ok(Some(plane))
+        Ok(Some(seen))
     }
 
     /// Six views drawn by others, and the prior settled among them.
@@ -197,10 +199,10 @@ impl Sources {
 }
 
 /// The depth network's surface in the prior; its plane in the subject.
-pub fn fit_depth(prior: &mut OneView, subject: &mut Subject, depth: Plane) -> Option<fit::Fit> {
-    let fit = fit::move_front(prior, &depth, subject.scale);
-    subject.depth = depth;
-    fit
+pub fn fit_depth(prior: &mut OneView, subject: &mut Subject, depth: depth::Seen, outcome: &mut Outcome) {
+    outcome.front = depth.metric.and_then(|range| fit::front(prior, &depth.inverse, subject.scale, range));
+    outcome.depth_fit = fit::move_front(prior, &depth.inverse, subject.scale);
+    subject.depth = depth.inverse;
 }
 
 /// The subject alone on mid-grey, as Zero123++ was trained: a square of at least 320 pixels.

@@ -101,6 +101,13 @@ fn exact(v: f64) -> String {
     format!("{v:.17}")
 }
 
+/// Metres, not less, between two points of which the second is latitude, longitude and height. A degree is 111.7 km and,
+/// 1,000 km up, 1.16 times that.
+fn apart(a: Geodetic, b: &[f64]) -> f64 {
+    let east = orb::geo::normalised_longitude(a.longitude - b[1]) * b[0].to_radians().cos();
+    ((a.latitude - b[0]) * 111_700.0).hypot(east * 111_700.0 * 1.16).hypot(a.height - b[2])
+}
+
 #[test]
 fn earth_centred_coordinates_agree() {
     let all = points();
@@ -124,37 +131,62 @@ fn geodetic_coordinates_agree() {
     let Some(answers) = ask("CartConvert", &["-r", "-p", "10"], asked) else { return };
     let mut worst = 0f64;
     for (e, line) in all.iter().zip(&answers) {
-        let (ours, theirs) = (e.to_geodetic(), numbers(line));
-        let east = orb::geo::normalised_longitude(ours.longitude - theirs[1]) * theirs[0].to_radians().cos();
-        let off =
-            ((ours.latitude - theirs[0]) * 111_700.0).hypot(east * 111_700.0 * 1.16).hypot(ours.height - theirs[2]);
+        let off = apart(e.to_geodetic(), &numbers(line));
         worst = worst.max(off);
         assert!(off < 1e-8, "{e:?}: {off} m");
     }
     eprintln!("earth-centred -> geodetic: {} points, at most {worst:.2e} m apart", all.len());
 }
 
+/// Around origins of every kind, near them and on the far side of the Earth, there and back.
 #[test]
-fn local_coordinates_agree() {
-    let origin = Geodetic { latitude: 34.5523, longitude: -118.4712, height: 740.0 };
-    let mut at = Numbers(3);
-    let all: Vec<Geodetic> = (0..POINTS)
-        .map(|_| Geodetic {
-            latitude: origin.latitude + at.between(-0.5, 0.5),
-            longitude: origin.longitude + at.between(-0.5, 0.5),
-            height: at.between(-500.0, 5_000.0),
-        })
-        .collect();
-    let asked = lines(all.iter().map(|g| [g.latitude, g.longitude, g.height].map(exact).join(" ")));
-    let Some(answers) = ask("CartConvert", &["-l", "34.5523", "-118.4712", "740", "-p", "10"], asked) else { return };
-    let mut worst = 0f64;
-    for (g, line) in all.iter().zip(&answers) {
-        let (Enu { east, north, up }, theirs) = (origin.local(g.to_ecef()), numbers(line));
-        let off = (east - theirs[0]).hypot(north - theirs[1]).hypot(up - theirs[2]);
-        worst = worst.max(off);
-        assert!(off < 1e-8, "{g:?}: {off} m");
+fn local_coordinates_agree_both_ways() {
+    let origins = [
+        (34.5523, -118.4712, 740.0),
+        (90.0, 0.0, 0.0),
+        (-90.0, 42.0, 2_800.0),
+        (0.0, 180.0, -400.0),
+        (0.0, 0.0, 0.0),
+        (-17.7, -179.999_999_9, -10_994.0),
+        (51.5, 1e-9, 1_000_000.0),
+        (-89.999_999_9, -90.0, 8_849.0),
+    ];
+    let all = points();
+    let (mut worst, mut reverse, mut at) = (0f64, 0f64, Numbers(3));
+    for (n, (latitude, longitude, height)) in origins.into_iter().enumerate() {
+        let origin = Geodetic { latitude, longitude, height };
+        let frame = origin.frame();
+        // Half of them within 50 km.
+        let share: Vec<Geodetic> = (n..POINTS)
+            .step_by(origins.len())
+            .map(|i| {
+                let near =
+                    Enu { east: at.between(-5e4, 5e4), north: at.between(-5e4, 5e4), up: at.between(-500.0, 5_000.0) };
+                if i / origins.len() % 2 == 0 { all[i] } else { origin.offset(near) }
+            })
+            .collect();
+        let place = [latitude, longitude, height].map(exact);
+        let args = ["-l", &place[0], &place[1], &place[2], "-p", "10"];
+        let asked = lines(share.iter().map(|g| [g.latitude, g.longitude, g.height].map(exact).join(" ")));
+        let Some(answers) = ask("CartConvert", &args, asked) else { return };
+        let mut locals = Vec::new();
+        for (g, line) in share.iter().zip(&answers) {
+            let (ours, theirs) = (frame.to_enu(g.to_ecef()), numbers(line));
+            let off = (ours.east - theirs[0]).hypot(ours.north - theirs[1]).hypot(ours.up - theirs[2]);
+            worst = worst.max(off);
+            assert!(off < 1e-8, "{origin:?} {g:?}: {off} m");
+            locals.push(ours);
+        }
+        let asked = lines(locals.iter().map(|e| [e.east, e.north, e.up].map(exact).join(" ")));
+        let answers = ask("CartConvert", &[&["-r"], &args[..]].concat(), asked).unwrap();
+        for (e, line) in locals.iter().zip(&answers) {
+            let off = apart(origin.offset(*e), &numbers(line));
+            reverse = reverse.max(off);
+            assert!(off < 1e-8, "{origin:?} {e:?}: {off} m");
+        }
     }
-    eprintln!("local: {} points, at most {worst:.2e} m apart", all.len());
+    eprintln!("geodetic -> east, north, up: {POINTS} points, at most {worst:.2e} m apart");
+    eprintln!("east, north, up -> geodetic: {POINTS} points, at most {reverse:.2e} m apart");
 }
 
 #[test]
@@ -196,12 +228,15 @@ fn military_grid_references_agree_both_ways() {
     let asked = lines(all.iter().map(|g| [g.latitude, g.longitude].map(exact).join(" ")));
     let Some(answers) = ask("GeoConvert", &["-m", "-p", "0"], asked) else { return };
     let references = lines(answers.iter().cloned());
-    let centres = ask("GeoConvert", &["-u", "-p", "4"], references).unwrap();
+    let centres = ask("GeoConvert", &["-u", "-p", "9"], references).unwrap();
+    let mut worst = 0f64;
     for ((g, line), centre) in all.iter().zip(&answers).zip(&centres) {
         assert_eq!(&mgrs::format(g.latitude, g.longitude, 5), line, "{g:?}");
         let read = mgrs::parse(line).unwrap_or_else(|e| panic!("{line}: {e}"));
         let theirs = numbers(centre.split_once(' ').unwrap().1);
         let off = (read.centre.easting - theirs[0]).hypot(read.centre.northing - theirs[1]);
-        assert!(off < 1e-3, "{line}: {read:?} against {centre}");
+        worst = worst.max(off);
+        assert!(off < 1e-8, "{line}: {read:?} against {centre}");
     }
+    eprintln!("MGRS -> UTM and UPS: {} references, at most {worst:.2e} m apart", all.len());
 }

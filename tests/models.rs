@@ -85,6 +85,32 @@ fn networks_are_imported_listed_shown_verified_and_removed() {
     ends(&m.orb(&["models", "remove", "depth-anything"], &[]), 2, &["depth-anything"]);
 }
 
+/// The stub says 5 m and what the picture's brightness adds.
+#[test]
+fn a_metric_depth_network_gives_the_scale() {
+    let m = Machine::new();
+    ends(&m.import(&[&TRUST[..], &["--depth-kind", "metric"]].concat(), &["depth_anything_v2.onnx"]), 0, &[]);
+    let (photo, out) = (root().join("tests/data/container.jpg"), m.path("out"));
+    let args = ["geo", "--origin", "1,2,3", "--iterations", "2", "--engine", "rten", "--format", "ply", "--json"];
+    let run = |more: &[&str]| -> Value {
+        let done = m.orb(
+            &[&args[..], &["--replace", "-o", out.to_str().unwrap()], more].concat(),
+            std::slice::from_ref(&photo),
+        );
+        assert!(done.status.success(), "{}", text(&done));
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    let alone = run(&[]);
+    assert_eq!(alone["scale"]["source"], "metric-depth-assumed-focal");
+    let words = alone["scale"]["words"].as_str().unwrap();
+    let metres: f64 = words.strip_prefix("front ").and_then(|w| w.split(' ').next()).unwrap().parse().unwrap();
+    assert!((3.0..8.0).contains(&metres) && words.contains("by a metric depth network"), "{words}");
+    // Beside a dimension that is known it has a say, a small one.
+    let both = run(&["--length", "6.06"]);
+    assert_eq!(both["scale"]["source"], "known-length");
+    assert!(both["scale"]["words"].as_str().unwrap().contains("; front "), "{both}");
+}
+
 /// A ball on grey from six sides, each a little different in colour.
 fn ball() -> image::RgbImage {
     image::RgbImage::from_fn(640, 960, |x, y| {

@@ -9,6 +9,7 @@ use orb::export::{self, Labels, ToMetres};
 use orb::geo::sidecar::{self, Georeference};
 use orb::geo::{Ecef, Geodetic, HeadingSource, Placement, Uncertainty, footprint};
 use orb::mesh::{Level, Mesh};
+use orb::splat::Gaussians;
 use orb_formats::cdb;
 use orb_formats::openflight::Geometry;
 
@@ -152,6 +153,41 @@ fn write(folder: &Path, files: &[orb_formats::File]) {
     }
 }
 
+fn georeference(level: &Level, to_metres: &ToMetres, placement: Placement) -> Georeference {
+    Georeference {
+        name: "box".into(),
+        banner: "UNCLASSIFIED".into(),
+        utc: labels().utc,
+        placement,
+        uncertainty: Uncertainty { horizontal: 1.0, vertical: 2.0, heading: 3.0, scale: 0.04 },
+        footprint: footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement),
+        size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
+        lineage: vec!["A test.".into()],
+        assets: vec![],
+    }
+}
+
+/// Points of the model's frame to the Earth by what the GeoPose sidecar says, turned by its quaternion alone.
+fn by_geopose(folder: &Path, georeference: &Georeference, points: &[[f64; 3]]) -> Option<Vec<Ecef>> {
+    let written = sidecar::all(georeference);
+    written.iter().for_each(|s| std::fs::write(folder.join(&s.path), &s.bytes).unwrap());
+    let pose: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.join("box.geopose.json")).unwrap()).unwrap();
+    let v = |a: &str, b: &str| pose[a][b].as_f64().unwrap();
+    let [x, y, z, w] = ["x", "y", "z", "w"].map(|k| v("quaternion", k));
+    let q = glam::DQuat::from_xyzw(x, y, z, w);
+    let enu: Vec<[f64; 3]> = points.iter().map(|p| (q * glam::DVec3::from_array(*p)).to_array()).collect();
+    ecef_by_cartconvert((v("position", "lat"), v("position", "lon"), v("position", "h")), &enu)
+}
+
+/// The same by a place that a file itself names.
+fn by_place([latitude, longitude, height, heading]: [f64; 4], points: &[[f64; 3]]) -> Option<Vec<Ecef>> {
+    let (sin, cos) = heading.to_radians().sin_cos();
+    let turned: Vec<[f64; 3]> =
+        points.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
+    ecef_by_cartconvert((latitude, longitude, height), &turned)
+}
+
 #[test]
 fn openflight_corners() {
     let level = solid();
@@ -211,16 +247,13 @@ fn store_corners() {
         let (point, heading) = origin.expect("a point feature");
         let heading = heading.expect("AO1");
         find(dir.path(), ".flt", &mut flights);
-        let (sin, cos) = heading.to_radians().sin_cos();
         let mut seen = 0;
         for flight in &flights {
             let Some(read) = vertices(flight) else { return };
             if read.is_empty() {
                 continue;
             }
-            let turned: Vec<[f64; 3]> =
-                read.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
-            let Some(ecef) = ecef_by_cartconvert((point[1], point[0], point[2]), &turned) else { return };
+            let Some(ecef) = by_place([point[1], point[0], point[2], heading], &read) else { return };
             same_corners("CDB", &placement, &ecef);
             seen += 1;
         }
@@ -235,36 +268,11 @@ fn sidecars_corners() {
     let to_metres = ToMetres::new(&level.mesh, SCALE);
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let outline = footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement);
-        let written = sidecar::all(&Georeference {
-            name: "box".into(),
-            banner: "UNCLASSIFIED".into(),
-            utc: labels().utc,
-            placement,
-            uncertainty: Uncertainty { horizontal: 1.0, vertical: 2.0, heading: 3.0, scale: 0.04 },
-            footprint: outline,
-            size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
-            lineage: vec!["A test.".into()],
-            assets: vec![],
-        });
-        for s in &written {
-            std::fs::write(dir.path().join(&s.path), &s.bytes).unwrap();
-        }
-        let file = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
-
-        let pose: serde_json::Value =
-            serde_json::from_slice(&std::fs::read(file("box.geopose.json")).unwrap()).unwrap();
-        let v = |a: &str, b: &str| pose[a][b].as_f64().unwrap();
-        let q = glam::DQuat::from_xyzw(
-            v("quaternion", "x"),
-            v("quaternion", "y"),
-            v("quaternion", "z"),
-            v("quaternion", "w"),
-        );
-        let enu: Vec<[f64; 3]> = corners().iter().map(|c| (q * glam::DVec3::from_array(*c)).to_array()).collect();
-        let origin = (v("position", "lat"), v("position", "lon"), v("position", "h"));
-        let Some(ecef) = ecef_by_cartconvert(origin, &enu) else { return };
+        let Some(ecef) = by_geopose(dir.path(), &georeference(&level, &to_metres, placement), &corners()) else {
+            return;
+        };
         same_corners("GeoPose", &placement, &ecef);
+        let file = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
 
         for name in ["box.footprint.geojson", "box.kml", "box.stac.json"] {
             let Some(said) = ask("ogrinfo", &["-al", &file(name)], "") else { return };
@@ -291,20 +299,139 @@ fn sidecars_corners() {
     }
 }
 
-/// Vertices of a COLLADA model by assimp, which turns Z up to Y up for OBJ.
-fn vertices_by_assimp(dae: &Path) -> Option<Vec<[f64; 3]>> {
-    let obj = dae.with_extension("obj");
-    let said = ask("assimp", &["export", dae.to_str().unwrap(), obj.to_str().unwrap()], "")?;
-    let text = std::fs::read_to_string(&obj).unwrap_or_else(|e| panic!("assimp: {e}: {said}"));
-    let rows = text.lines().filter_map(|l| l.strip_prefix("v ")).map(numbers);
+/// Each point once, of formats that have Y up: (x, y, z) there is (x, −z, y) here.
+fn from_y_up(rows: impl Iterator<Item = Vec<f64>>) -> Vec<[f64; 3]> {
     let mut all: Vec<[f64; 3]> = Vec::new();
     for v in rows {
         let p = [v[0], -v[2], v[1]];
-        if !all.iter().any(|q| (0..3).all(|i| (p[i] - q[i]).abs() < 1e-4)) {
+        if !all.iter().any(|q| (0..3).all(|i| (p[i] - q[i]).abs() < 1e-3)) {
             all.push(p);
         }
     }
-    Some(all)
+    all
+}
+
+/// Vertices by assimp, whose OBJ has Y up: it turns a COLLADA model's Z up.
+fn vertices_by_assimp(model: &Path) -> Option<Vec<[f64; 3]>> {
+    let obj = model.with_extension("obj");
+    let said = ask("assimp", &["export", model.to_str().unwrap(), obj.to_str().unwrap()], "")?;
+    let text = std::fs::read_to_string(&obj).unwrap_or_else(|e| panic!("assimp: {e}: {said}"));
+    Some(from_y_up(text.lines().filter_map(|l| l.strip_prefix("v ")).map(numbers)))
+}
+
+#[test]
+fn gltf_corners_with_their_geopose() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        write(
+            dir.path(),
+            &export::glb(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels()).unwrap(),
+        );
+        let Some(read) = vertices_by_assimp(&dir.path().join("box.glb")) else { return };
+        let known = georeference(&level, &to_metres, placement);
+        let Some(ecef) = by_geopose(dir.path(), &known, &read) else { return };
+        same_corners("GLB", &placement, &ecef);
+    }
+}
+
+/// The content by assimp, turned from Y up to Z up as the specification has it (section 3.3), then the root's transform.
+#[test]
+fn tiles_corners() {
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let levels = to_metres.levels(std::slice::from_ref(&level));
+        write(dir.path(), &export::tiles3d(&levels, &placement, &labels()).unwrap());
+        let tileset: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(dir.path().join("tiles3d/tileset.json")).unwrap()).unwrap();
+        let transform: Vec<f64> = serde_json::from_value(tileset["root"]["transform"].clone()).unwrap();
+        let m = glam::DMat4::from_cols_slice(&transform);
+        let content = tileset["root"]["content"]["uri"].as_str().unwrap();
+        let Some(read) = vertices_by_assimp(&dir.path().join("tiles3d").join(content)) else { return };
+        let on_earth = |p: &[f64; 3]| m.transform_point3(glam::DVec3::from_array(*p));
+        let ecef: Vec<Ecef> = read.iter().map(on_earth).map(|p| Ecef { x: p.x, y: p.y, z: p.z }).collect();
+        same_corners("3D Tiles", &placement, &ecef);
+    }
+}
+
+/// Points and place by OpenUSD.
+#[test]
+fn usdz_corners() {
+    let Some(python) = std::env::var_os("ORB_PYTHON") else {
+        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "ORB_PYTHON does not name a Python with OpenUSD");
+        return eprintln!("skipped: ORB_PYTHON does not name a Python with OpenUSD");
+    };
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/clients/usdz_points.py");
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        let file = export::usdz(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels()).unwrap();
+        write(dir.path(), &[file]);
+        let package = dir.path().join("box.usdz");
+        let said = ask(python.to_str().unwrap(), &[script, package.to_str().unwrap()], "").unwrap();
+        let rows =
+            |word: &str| -> Vec<Vec<f64>> { said.lines().filter_map(|l| l.strip_prefix(word)).map(numbers).collect() };
+        let place: [f64; 4] = rows("place ").concat().try_into().unwrap_or_else(|_| panic!("{said}"));
+        let Some(ecef) = by_place(place, &from_y_up(rows("point ").into_iter())) else { return };
+        same_corners("USDZ", &placement, &ecef);
+    }
+}
+
+/// Gaussians at the corners, by splat-transform: of the PLY at the place in its header, of SPZ by the GeoPose.
+#[test]
+fn gaussians_corners() {
+    let modules = std::env::var_os("NODE_PATH").map(PathBuf::from);
+    let Some(reader) = modules.map(|m| m.join("@playcanvas/splat-transform/bin/cli.mjs")).filter(|p| p.is_file())
+    else {
+        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "no splat-transform on NODE_PATH");
+        return eprintln!("skipped: no splat-transform on NODE_PATH");
+    };
+    let read = |file: &Path| -> Option<Vec<Vec<f64>>> {
+        let csv = file.with_extension("csv");
+        let args = [&reader, file, &csv].map(|p| p.to_str().unwrap());
+        let said = ask("node", &args, "")?;
+        let text = std::fs::read_to_string(&csv).unwrap_or_else(|e| panic!("splat-transform: {e}: {said}"));
+        assert!(text.starts_with("x,y,z,"), "{text}");
+        let row = |l: &str| l.split(',').take(3).map(|v| v.parse().unwrap()).collect();
+        Some(text.lines().skip(1).map(row).collect())
+    };
+    let level = solid();
+    let to_metres = ToMetres::new(&level.mesh, SCALE);
+    let mut g = Gaussians::default();
+    for [x, y, z] in corners() {
+        g.positions.push(Vec3::new(x as f32, y as f32, z as f32));
+        g.log_scales.push(Vec3::splat(-3.0));
+        g.rotations.push([1.0, 0.0, 0.0, 0.0]);
+        g.logit_opacities.push(2.0);
+        g.sh.push(Default::default());
+    }
+    for placement in places() {
+        let dir = tempfile::tempdir().unwrap();
+        write(dir.path(), &[export::scene_ply(&g, &placement, &labels()).unwrap()]);
+        let ply = dir.path().join("scene.ply");
+        let header = String::from_utf8_lossy(&std::fs::read(&ply).unwrap()).into_owned();
+        let words = |start: &str| header.lines().find_map(|l| l.strip_prefix(start)).map(numbers).unwrap();
+        let (origin, heading) = (words("comment origin WGS84 "), words("comment heading of +Y ")[0]);
+        let Some(points) = read(&ply) else { return };
+        let points: Vec<[f64; 3]> = points.iter().map(|p| [p[0], p[1], p[2]]).collect();
+        let Some(ecef) = by_place([origin[0], origin[1], origin[2], heading], &points) else { return };
+        same_corners("PLY", &placement, &ecef);
+
+        write(dir.path(), &[export::spz(&g, &labels(), orb_formats::spz::Version::V3).unwrap()]);
+        // The reader hands on Y down, Z forward.
+        let points = read(&dir.path().join("box.spz")).unwrap().into_iter().map(|p| vec![p[0], -p[1], -p[2]]);
+        let known = georeference(&level, &to_metres, placement);
+        let ecef = by_geopose(dir.path(), &known, &from_y_up(points)).unwrap();
+        same_corners("SPZ", &placement, &ecef);
+
+        write(dir.path(), &[export::splat_glb(&g, &placement, &labels()).unwrap()]);
+        let points = vertices_by_assimp(&dir.path().join("box_splats.glb")).unwrap();
+        same_corners("splat GLB", &placement, &by_geopose(dir.path(), &known, &points).unwrap());
+    }
 }
 
 #[test]
@@ -313,18 +440,7 @@ fn google_earth_corners() {
     let to_metres = ToMetres::new(&level.mesh, SCALE);
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let georeference = Georeference {
-            name: "box".into(),
-            banner: "UNCLASSIFIED".into(),
-            utc: labels().utc,
-            placement,
-            uncertainty: Uncertainty::default(),
-            footprint: footprint::of(level.mesh.positions.iter().map(|p| to_metres.point(*p)), &placement),
-            size: [0.5 * SCALE, SCALE, 0.35 * SCALE],
-            lineage: vec![],
-            assets: vec![],
-        };
-        let document = sidecar::kml_with_model(&georeference, "models/box.dae");
+        let document = sidecar::kml_with_model(&georeference(&level, &to_metres, placement), "models/box.dae");
         let packed = export::kmz(&level, &to_metres, &document, &labels()).unwrap();
         write(dir.path(), &[packed]);
         let archive = dir.path().join("box.kmz");
@@ -339,12 +455,9 @@ fn google_earth_corners() {
             let text = model.split(&format!("<{name}>")).nth(1).unwrap().split('<').next().unwrap();
             text.parse().unwrap()
         };
-        let (sin, cos) = value("heading").to_radians().sin_cos();
-        let turned: Vec<[f64; 3]> =
-            read.iter().map(|p| [p[0] * cos + p[1] * sin, -p[0] * sin + p[1] * cos, p[2]]).collect();
         let (lat, lon) = (value("latitude"), value("longitude"));
         let height = value("altitude") + orb::geo::geoid::undulation(lat, lon);
-        let Some(ecef) = ecef_by_cartconvert((lat, lon, height), &turned) else { return };
+        let Some(ecef) = by_place([lat, lon, height, value("heading")], &read) else { return };
         same_corners("KMZ", &placement, &ecef);
     }
 }

@@ -25,5 +25,5 @@ pub use extents::{Extents, convex_hull};
 pub use placement::{HeadingSource, Placement, Uncertainty};
 pub use scale::{Known, Scale, ScaleSource, View, metres_per_unit};
 pub use utm::{Utm, normalised_longitude, standard_zone};
-pub use wgs84::{Ecef, Enu, Geodetic};
+pub use wgs84::{Ecef, Enu, Geodetic, LocalFrame};
 pub use written::{Written, parse_point};

@@ -70,7 +70,7 @@ impl Placement {
 
     /// Subject frame (metres) → earth-centred, earth-fixed.
     pub fn to_ecef(&self, point: [f64; 3]) -> Ecef {
-        self.origin.offset(self.to_enu(point)).to_ecef()
+        self.origin.frame().to_ecef(self.to_enu(point))
     }
 
     /// Subject frame (metres) → latitude, longitude, height above the ellipsoid.

@@ -48,6 +48,8 @@ pub enum By {
     Exif,
     /// A drone's height above its point of take-off.
     Drone,
+    /// A metric depth network.
+    Network,
     Assumption,
 }
 
@@ -59,6 +61,8 @@ pub struct Hints {
     pub camera_height: Measured,
     /// Camera to the subject's middle.
     pub distance: Option<Measured>,
+    /// Camera to the subject's front, by a metric depth network, and how many units the front lies before the middle.
+    pub front: Option<(Measured, f64)>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +76,9 @@ pub enum ScaleSource {
     CameraHeightAssumedFocal,
     DistanceExifFocal,
     DistanceAssumedFocal,
+    /// Distance to the front by a metric depth network.
+    MetricDepthExifFocal,
+    MetricDepthAssumedFocal,
 }
 
 impl ScaleSource {
@@ -84,6 +91,8 @@ impl ScaleSource {
             ScaleSource::CameraHeightAssumedFocal => "camera-height-assumed-focal",
             ScaleSource::DistanceExifFocal => "distance-exif-focal",
             ScaleSource::DistanceAssumedFocal => "distance-assumed-focal",
+            ScaleSource::MetricDepthExifFocal => "metric-depth-exif-focal",
+            ScaleSource::MetricDepthAssumedFocal => "metric-depth-assumed-focal",
         }
     }
 }
@@ -175,6 +184,7 @@ pub fn metres_per_unit(hints: &Hints, extents: &Extents, view: &View) -> Result<
         estimates.push(from_dimension(*known, extents)?);
     }
     estimates.extend(hints.distance.map(|d| from_distance(d, view)));
+    estimates.extend(hints.front.and_then(|(m, before)| from_front(m, before, view)));
     let assumed = hints.camera_height.by == By::Assumption;
     if !assumed || estimates.is_empty() {
         match from_camera_height(hints.camera_height, extents, view) {
@@ -213,6 +223,7 @@ fn said(what: &str, m: Measured) -> String {
         By::Operator => format!("{what} {} m given", m.metres),
         By::Exif => format!("{what} {} m from EXIF", m.metres),
         By::Drone => format!("{what} {} m above take-off", m.metres),
+        By::Network => format!("{what} {:.2} m by a metric depth network", m.metres),
         By::Assumption => format!("{what} assumed {} m", m.metres),
     }
 }
@@ -225,6 +236,23 @@ fn from_distance(distance: Measured, view: &View) -> Estimate {
         source: if exif { ScaleSource::DistanceExifFocal } else { ScaleSource::DistanceAssumedFocal },
         words: format!("{}, {}", said("distance", distance), view.focal_words()),
     }
+}
+
+/// The front lies that far: metres a unit = metres / (D − the front's distance before the middle). `None` where it would lie
+/// behind the camera, or closer than a tenth of a unit.
+fn from_front(front: Measured, before_middle: f64, view: &View) -> Option<Estimate> {
+    let units = view.distance() - before_middle;
+    if units < 0.1 {
+        return None;
+    }
+    let (_, focal_sigma, exif) = view.focal();
+    let by_focal = view.distance() * focal_sigma / units;
+    Some(Estimate {
+        metres_per_unit: front.metres / units,
+        sigma: (front.sigma / front.metres).hypot(by_focal),
+        source: if exif { ScaleSource::MetricDepthExifFocal } else { ScaleSource::MetricDepthAssumedFocal },
+        words: format!("{}, {}", said("front", front), view.focal_words()),
+    })
 }
 
 /// The camera stands that high over the ground plane: metres a unit = height / (D sin(elevation) + centre above ground).
@@ -297,7 +325,7 @@ mod tests {
     }
 
     fn hints(known: &[Known]) -> Hints {
-        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None }
+        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None, front: None }
     }
 
     fn standing(metres: f64) -> Hints {
@@ -328,6 +356,25 @@ mod tests {
         let s = metres_per_unit(&far, &EXTENTS, &v).unwrap();
         assert!((s.metres_per_unit - metres_a_unit).abs() < 1e-6);
         assert_eq!(s.source, ScaleSource::DistanceExifFocal);
+    }
+
+    /// A network that is off by a tenth, and one that agrees with a length that is known far better.
+    #[test]
+    fn a_metric_network_gives_a_scale_and_is_outweighed_by_a_tape() {
+        let v = view(15.0);
+        let seen = |metres: f64| (Measured { metres, sigma: 0.25 * metres, by: By::Network }, 0.4);
+        let truth = 2.3 * (v.distance() - 0.4);
+        let alone = Hints { front: Some(seen(truth)), ..hints(&[]) };
+        let s = metres_per_unit(&alone, &EXTENTS, &v).unwrap();
+        assert!((s.metres_per_unit - 2.3).abs() < 1e-9 && (0.25..0.27).contains(&s.sigma), "{s:?}");
+        assert_eq!((s.source, s.estimates.len()), (ScaleSource::MetricDepthExifFocal, 1), "what is assumed has no say");
+        assert!(s.words().contains("by a metric depth network"), "{}", s.words());
+        let taped = Hints { front: Some(seen(1.1 * truth)), ..hints(&[Known::Length(4.6)]) };
+        let s = metres_per_unit(&taped, &EXTENTS, &v).unwrap();
+        assert_eq!((s.source, s.estimates.len(), s.contradictory), (ScaleSource::KnownLength, 2, false));
+        assert!((s.metres_per_unit / 2.3 - 1.0).abs() < 2e-3 && s.sigma < 0.0224, "{s:?}");
+        let behind = Hints { front: Some((seen(5.0).0, v.distance())), ..hints(&[Known::Length(4.6)]) };
+        assert_eq!(metres_per_unit(&behind, &EXTENTS, &v).unwrap().estimates.len(), 1);
     }
 
     /// The deviation that is propagated is the one that five hundred disturbed cameras show.

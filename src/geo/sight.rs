@@ -85,6 +85,7 @@ mod tests {
             known: vec![],
             camera_height: ASSUMED_CAMERA_HEIGHT,
             distance: Some(Measured { metres: 50.0, sigma: 0.5, by: By::Operator }),
+            front: None,
         };
         let scale = metres_per_unit(&hints, &extents, &view()).unwrap();
         let s = stand(&view(), &extents, &scale);

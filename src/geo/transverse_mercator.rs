@@ -3,7 +3,7 @@
 //! Karney, "Transverse Mercator with an accuracy of a few nanometers", J. Geodesy 85 (2011): Krüger's series to the sixth
 //! order in the third flattening. The polar stereographic projection shares its conformal latitude.
 
-use super::wgs84::{A, E2, F, sin_cos_degrees};
+use super::wgs84::{A, E2, F, atan2_degrees, sin_cos_degrees};
 
 /// Third flattening.
 const N: f64 = F / (2.0 - F);
@@ -69,7 +69,7 @@ fn geographic(sin: f64, cos: f64) -> f64 {
     for &d in DELTA.iter().rev() {
         (y1, y2) = (c * y1 - y2 + d, y1);
     }
-    (sin.atan2(cos) + s * y1).to_degrees()
+    atan2_degrees(sin, cos) + (s * y1).to_degrees()
 }
 
 /// Sum of c_j times the sine of 2j (ξ + iη) by Clenshaw, given sine and cosine of 2ξ and hyperbolic ones of 2η.
@@ -141,6 +141,6 @@ pub fn ups_reverse(north: bool, east: f64, along: f64) -> (f64, f64) {
         let t = rho / stereographic_scale();
         geographic((1.0 - t) * (1.0 + t), 2.0 * t)
     };
-    let longitude = if rho == 0.0 { 0.0 } else { east.atan2(down).to_degrees() };
+    let longitude = if rho == 0.0 { 0.0 } else { atan2_degrees(east, down) };
     (if north { latitude } else { -latitude }, longitude)
 }

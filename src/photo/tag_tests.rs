@@ -33,9 +33,10 @@ fn photo(tags: &[(Tag, Value)], xmp: Option<&str>) -> Photo {
 fn every_combination() {
     const GIMBAL: &str =
         "drone-dji:GimbalYawDegree=\"+12.5\" drone-dji:GimbalPitchDegree=\"-30\" drone-dji:RelativeAltitude=\"+40\"";
+    const RTK: &str = "drone-dji:RtkStdLat=\"0.02\" drone-dji:RtkStdLon=\"0.02\" drone-dji:RtkStdHgt=\"0.04\"";
     // One bit a group of tags: latitude, longitude, altitude, its reference, accuracy, direction, its reference, focal
-    // length, date, gimbal.
-    for bits in 0u32..1 << 10 {
+    // length, date, gimbal, what the drone's receiver is good to, distance of the subject.
+    for bits in 0u32..1 << 12 {
         let has = |bit: u32| bits >> bit & 1 == 1;
         let mut tags = vec![(Tag::Orientation, Value::Short(vec![1]))];
         let mut put = |bit: u32, more: Vec<(Tag, Value)>| {
@@ -52,19 +53,24 @@ fn every_combination() {
         put(6, vec![(Tag::GPSImgDirectionRef, ascii("M"))]);
         put(7, vec![(Tag::FocalLengthIn35mmFilm, Value::Short(vec![26]))]);
         put(8, vec![(Tag::DateTimeOriginal, ascii("2026:03:04 05:06:07"))]);
-        let exif = photo(&tags, has(9).then_some(GIMBAL)).exif;
+        put(11, vec![(Tag::SubjectDistance, ratio(62, 10))]);
+        let xmp = format!("{} {}", if has(9) { GIMBAL } else { "" }, if has(10) { RTK } else { "" });
+        let exif = photo(&tags, (has(9) || has(10)).then_some(&xmp)).exif;
 
         assert_eq!(exif.position.is_some(), has(0) && has(1), "{bits:b}");
         if let Some(p) = exif.position {
             assert_eq!((p.latitude, p.longitude), (-34.5, -118.4));
             assert_eq!(p.altitude, has(2).then_some(if has(3) { -740.5 } else { 740.5 }));
             assert_eq!(p.altitude_above, if has(3) { AltitudeAbove::Ellipsoid } else { AltitudeAbove::Sea });
-            assert_eq!(p.accuracy, has(4).then_some(4.7));
+            // A drone's receiver knows its own accuracy best.
+            let (across, up) = if has(10) { (Some(0.02), Some(0.04)) } else { (has(4).then_some(4.7), None) };
+            assert_eq!((p.accuracy, p.vertical_accuracy), (across, up), "{bits:b}");
         }
         assert_eq!(exif.image_direction, has(5).then_some(123.45));
         assert_eq!(exif.direction_is_magnetic, has(5) && has(6));
         assert_eq!(exif.focal_35mm, has(7).then_some(26.0));
         assert_eq!(exif.date, has(8).then_some((2026, 3, 4)));
+        assert_eq!(exif.subject_distance, has(11).then_some(6.2));
         let gimbal = exif.gimbal.map(|g| (g.yaw, g.pitch, g.above_takeoff));
         assert_eq!(gimbal, has(9).then_some((Some(12.5), Some(-30.0), Some(40.0))));
     }

@@ -14,6 +14,7 @@ use crate::geo::{
     self, AltDatum, Extents, Geodetic, HeadingSource, Height, Placement, Scale, Uncertainty, View, footprint, magnetic,
     sight,
 };
+use crate::models::depth::fit::Front;
 use crate::photo::{AltitudeAbove, Exif, Photo};
 use crate::pipeline::Reconstruction;
 use crate::{Error, Result};
@@ -40,6 +41,8 @@ const UNKNOWN_HEADING_SIGMA: f64 = 103.9;
 /// Of the network's elevation, degrees (`prior/README.md`), and of a gimbal's pitch.
 const NETWORK_ELEVATION_SIGMA: f64 = 5.8;
 const PITCH_SIGMA: f64 = 1.5;
+/// Of a metric depth network's distances, relative: assumed, for photos unlike those that it was trained on.
+const METRIC_DEPTH_SIGMA: f64 = 0.25;
 
 impl Wanted {
     fn anchor(&self, exif: &Exif) -> Result<Anchor> {
@@ -150,7 +153,7 @@ pub fn place(mut wanted: Wanted, photo: &Photo, done: &mut Reconstruction, year:
         .ok_or_else(|| Error::usage(&photo.name).found("no surface to measure"))?;
     let mut warnings = Vec::new();
     let view = view(photo, done);
-    let scale = geo::metres_per_unit(&hints(&wanted, exif), &extents, &view)?;
+    let scale = geo::metres_per_unit(&hints(&wanted, exif, done.sources.front), &extents, &view)?;
     if scale.contradictory {
         warnings.push(format!("what gives the scale contradicts itself: {}", scale.words()));
     }
@@ -261,7 +264,7 @@ fn measured(metres: f64) -> Measured {
     Measured { metres, sigma: (0.03 * metres).max(0.05), by: By::Operator }
 }
 
-fn hints(wanted: &Wanted, exif: &Exif) -> Hints {
+fn hints(wanted: &Wanted, exif: &Exif, front: Option<Front>) -> Hints {
     // A height above take-off is one above the subject's ground as far as the terrain is level.
     let flown = exif.gimbal.and_then(|g| g.above_takeoff).filter(|h| *h > 2.0);
     let by_drone = flown.map(|h| Measured { metres: h, sigma: 2.0 + 0.02 * h, by: By::Drone });
@@ -270,6 +273,10 @@ fn hints(wanted: &Wanted, exif: &Exif) -> Hints {
         known: wanted.known.clone(),
         camera_height: wanted.camera_height.map(measured).or(by_drone).unwrap_or(ASSUMED_CAMERA_HEIGHT),
         distance: wanted.distance.map(measured).or(by_exif),
+        front: front.map(|f| {
+            let sigma = METRIC_DEPTH_SIGMA * f.metres;
+            (Measured { metres: f.metres, sigma, by: By::Network }, f.before_middle)
+        }),
     }
 }
 
@@ -471,7 +478,7 @@ mod tests {
     fn the_camera_height_is_taken_from_whom_it_is_known_to() {
         let flown =
             |h| Exif { gimbal: Some(Gimbal { above_takeoff: Some(h), ..Default::default() }), ..Default::default() };
-        let by = |w: &Wanted, exif: &Exif| hints(w, exif).camera_height.by;
+        let by = |w: &Wanted, exif: &Exif| hints(w, exif, None).camera_height.by;
         let mut w = wanted(None, None, None);
         assert_eq!(by(&w, &Exif::default()), By::Assumption);
         assert_eq!(by(&w, &flown(40.0)), By::Drone);

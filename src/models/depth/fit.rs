@@ -5,7 +5,7 @@
 
 use crate::models::splat_prior::OneView;
 use crate::photo::{Plane, Rect, sample_plane};
-use crate::splat;
+use crate::splat::{self, Camera};
 
 /// Of the picture that both are compared on.
 const GRID: u32 = 128;
@@ -15,6 +15,8 @@ const FARTHEST: f32 = 0.15;
 const SURFACE: f32 = 0.12;
 /// Below this correlation on the inliers the two see different things: nothing is moved.
 const LEAST_CORRELATION: f64 = 0.5;
+/// Pixels that must be sure for the two to be compared at all.
+const FEWEST: usize = 200;
 /// Pixels from the mask's edge, where networks smear foreground into background.
 const EDGE: usize = 3;
 
@@ -32,11 +34,25 @@ pub struct Fit {
     pub moved: usize,
 }
 
-/// Moves the front of the prior's Gaussians along the photo's rays to the depth network's surface.
-///
-/// `depth` is relative inverse depth over the whole photo; `scale`, photo pixels for one of its pixels. Returns none, and moves
-/// nothing, where the two do not agree enough to be compared.
-pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Option<Fit> {
+/// The subject's front surface in metres, by a metric network.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Front {
+    /// Median depth, metres along the optical axis.
+    pub metres: f64,
+    /// How far that surface lies before the subject's middle, in radii of the subject.
+    pub before_middle: f64,
+}
+
+/// The prior's surface and the network's plane on one grid.
+struct Compared {
+    camera: Camera,
+    seen: splat::Frame,
+    d: Plane,
+    /// Pixels on the subject, away from its edge.
+    sure: Vec<bool>,
+}
+
+fn compare(view: &OneView, depth: &Plane, scale: (f32, f32)) -> Compared {
     let camera = view.camera.resized(GRID, GRID);
     let seen = splat::render(&view.gaussians, &camera, [0.0; 3]);
     let size = GRID as usize;
@@ -47,6 +63,35 @@ pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Optio
     let whole = Rect { x: 0.0, y: 0.0, width: view.mask.width as f32, height: view.mask.height as f32 };
     let mask = sample_plane(&view.mask, whole, size, size, crate::photo::Edge::Clamp);
     let sure = crate::models::region::eroded(size, size, EDGE, |i| mask.data[i] > 0.8 && seen.median_depth[i] > 0.0);
+    Compared { camera, seen, d, sure }
+}
+
+/// Where a metric network sees the front of the subject; `depth`, `scale` as for [`move_front`], `range` the plane's 0 and 1
+/// in 1 / metres. None where too few pixels are sure.
+pub fn front(view: &OneView, depth: &Plane, scale: (f32, f32), range: (f32, f32)) -> Option<Front> {
+    let Compared { camera, seen, d, sure } = compare(view, depth, scale);
+    let metres = |i: usize| f64::from(range.0 + d.data[i] * (range.1 - range.0)).recip();
+    let sure: Vec<usize> = (0..sure.len()).filter(|&i| sure[i] && metres(i).is_finite()).collect();
+    if sure.len() < FEWEST {
+        return None;
+    }
+    let median = |value: &dyn Fn(usize) -> f64| {
+        let mut all: Vec<f64> = sure.iter().map(|&i| value(i)).collect();
+        let middle = all.len() / 2;
+        *all.select_nth_unstable_by(middle, f64::total_cmp).1
+    };
+    let middle = f64::from(camera.translation.z);
+    let found = Front { metres: median(&metres), before_middle: median(&|i| middle - f64::from(seen.median_depth[i])) };
+    (found.metres > 0.0).then_some(found)
+}
+
+/// Moves the front of the prior's Gaussians along the photo's rays to the depth network's surface.
+///
+/// `depth` is relative inverse depth over the whole photo; `scale`, photo pixels for one of its pixels. Returns none, and moves
+/// nothing, where the two do not agree enough to be compared.
+pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Option<Fit> {
+    let Compared { camera, seen, d, sure } = compare(view, depth, scale);
+    let size = GRID as usize;
     let pairs: Vec<(f64, f64)> = (0..size * size)
         .filter(|&i| sure[i])
         .map(|i| (f64::from(d.data[i]), 1.0 / f64::from(seen.median_depth[i])))
@@ -87,7 +132,7 @@ pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Optio
 
 /// y = gain · x + shift; none where the pairs are few, flat, or disagree.
 fn robust_line(pairs: &[(f64, f64)]) -> Option<Fit> {
-    if pairs.len() < 200 {
+    if pairs.len() < FEWEST {
         return None;
     }
     let mut weights = vec![1.0; pairs.len()];
@@ -139,7 +184,7 @@ fn least_squares(pairs: &[(f64, f64)], weights: &[f64]) -> Option<((f64, f64), f
 mod tests {
     use super::*;
     use crate::models::splat_prior::canonical_camera;
-    use crate::splat::{Camera, Gaussians};
+    use crate::splat::Gaussians;
     use glam::Vec3;
 
     /// A sheet of Gaussians facing the camera; `bulge(x, z)` says how far it comes to the eye.
@@ -210,6 +255,25 @@ mod tests {
         let before = view.gaussians.clone();
         assert_eq!(move_front(&mut view, &noise, (2.0, 2.0)), None);
         assert_eq!(view.gaussians, before);
+    }
+
+    #[test]
+    fn a_metric_network_says_how_far_the_front_is() {
+        let flat = sheet(|_, _| 0.2);
+        let camera = canonical_camera(0.0, 128);
+        let seen = crate::splat::render(&flat, &camera, [0.0; 3]);
+        // Ten metres a radius, as inverse depth between 1/100 and 1 per metre.
+        let z = Plane { width: 128, height: 128, data: seen.median_depth };
+        let rect = Rect { x: -10.0, y: -20.0, width: 150.0, height: 160.0 };
+        let mut plane = sample_plane(&z, rect, 75, 80, crate::photo::Edge::Clamp);
+        plane.data.iter_mut().for_each(|v| *v = if *v > 2.0 { (0.1 / *v - 0.01) / 0.99 } else { 0.0 });
+        let found = front(&view(flat), &plane, (2.0, 2.0), (0.01, 1.0)).unwrap();
+        let middle = f64::from(camera.translation.z);
+        assert!((found.before_middle - 0.2).abs() < 0.03, "{found:?}");
+        assert!((found.metres / (10.0 * (middle - found.before_middle)) - 1.0).abs() < 1e-3, "{found:?}");
+        let mut small = view(sheet(|_, _| 0.0));
+        small.mask.data.fill(0.0);
+        assert_eq!(front(&small, &plane, (2.0, 2.0), (0.01, 1.0)), None);
     }
 
     #[test]

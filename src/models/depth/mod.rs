@@ -1,7 +1,8 @@
 //! How far things are, by Depth Anything 1, 2 or 3.
 //!
 //! L. Yang et al., "Depth Anything V2", NeurIPS 2024. The network gives relative inverse depth (or, some exports of version
-//! 3, depth), up to a scale and a shift; [`fit`] finds both against the surface of the built-in prior.
+//! 3, depth), up to a scale and a shift; [`fit`] finds both against the surface of the built-in prior. The metric variants
+//! give metres, and so the model's scale too.
 
 pub mod fit;
 
@@ -19,12 +20,20 @@ const SHORT: usize = 518;
 /// The longer side at most: memory grows with its square.
 const LONGEST: usize = 1036;
 
-/// Relative inverse depth of the whole photo at `size` (width, height): (d − min) / (max − min), the paper's Eq. 1; 1 is
-/// nearest.
+/// What a network says of a photo.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Relative inverse depth: (d − min) / (max − min), the paper's Eq. 1; 1 is nearest.
+    pub inverse: Plane,
+    /// min and max of a metric network, 1 / metres.
+    pub metric: Option<(f32, f32)>,
+}
+
+/// Inverse depth of the whole photo at `size` (width, height).
 ///
 /// # Errors
 /// An environment error when the graph's output is no plane, is flat or not finite.
-pub fn inverse_depth(photo: &RgbImage, kind: DepthKind, graph: &dyn Graph, size: (usize, usize)) -> Result<Plane> {
+pub fn inverse_depth(photo: &RgbImage, kind: DepthKind, graph: &dyn Graph, size: (usize, usize)) -> Result<Seen> {
     let wrong = |found: String| Error::environment("the depth network").expected("a plane of depths").found(found);
     let input = graph.inputs().into_iter().next().ok_or_else(|| wrong("no input".into()))?;
     let fixed = |back: usize| {
@@ -43,7 +52,7 @@ pub fn inverse_depth(photo: &RgbImage, kind: DepthKind, graph: &dyn Graph, size:
     }
     let data = match kind {
         DepthKind::Disparity => out.data.clone(),
-        DepthKind::Depth => {
+        DepthKind::Depth | DepthKind::Metric => {
             let farthest = out.data.iter().copied().fold(0.0, f32::max);
             out.data.iter().map(|z| 1.0 / z.max(1e-4 * farthest.max(1e-4))).collect()
         }
@@ -57,7 +66,7 @@ pub fn inverse_depth(photo: &RgbImage, kind: DepthKind, graph: &dyn Graph, size:
     let mut depth = sample_plane(&plane, all, size.0, size.1, Edge::Clamp);
     let (low, high) = range(&depth.data);
     depth.data.iter_mut().for_each(|v| *v = (*v - low) / (high - low));
-    Ok(depth)
+    Ok(Seen { inverse: depth, metric: (kind == DepthKind::Metric).then_some((low, high)) })
 }
 
 fn range(data: &[f32]) -> (f32, f32) {
@@ -105,12 +114,25 @@ mod tests {
     fn the_stub_sees_bright_as_near_from_0_to_1() {
         let photo = RgbImage::from_fn(120, 90, |x, _| image::Rgb(if x > 60 { [220; 3] } else { [30; 3] }));
         let graph = Rten.load_file(&stub("depth_anything_v2.onnx")).unwrap();
-        let depth = inverse_depth(&photo, DepthKind::Disparity, &*graph, (60, 45)).unwrap();
+        let depth = inverse_depth(&photo, DepthKind::Disparity, &*graph, (60, 45)).unwrap().inverse;
         assert_eq!((depth.width, depth.height, range(&depth.data)), (60, 45, (0.0, 1.0)));
         // The stub blurs over 7 pixels of 518 and darkens at its border.
         assert!(depth.at(45, 22) > 0.85 && depth.at(15, 22) < depth.at(45, 22) - 0.5);
         let far = inverse_depth(&photo, DepthKind::Depth, &*graph, (60, 45)).unwrap();
-        assert!(far.at(45, 22) < far.at(15, 22), "depth grows where disparity shrinks");
+        assert!(far.inverse.at(45, 22) < far.inverse.at(15, 22), "depth grows where disparity shrinks");
+        assert_eq!(far.metric, None);
+    }
+
+    #[test]
+    fn a_metric_networks_metres_come_back_from_its_range() {
+        let photo = RgbImage::new(64, 64);
+        let metres: Vec<f32> = (0..12).map(|v| 2.0 + v as f32).collect();
+        let seen = inverse_depth(&photo, DepthKind::Metric, &Fixed(vec![1, 3, 4], metres.clone()), (4, 3)).unwrap();
+        let (low, high) = seen.metric.unwrap();
+        for (i, z) in metres.iter().enumerate() {
+            let back = 1.0 / (low + seen.inverse.data[i] * (high - low));
+            assert!((back / z - 1.0).abs() < 1e-5, "{back} {z}");
+        }
     }
 
     #[test]
@@ -119,7 +141,7 @@ mod tests {
         let ramp: Vec<f32> = (0..12).map(|v| v as f32).collect();
         for shape in [vec![1, 3, 4], vec![1, 1, 3, 4]] {
             let depth = inverse_depth(&photo, DepthKind::Disparity, &Fixed(shape, ramp.clone()), (4, 3)).unwrap();
-            assert!(depth.at(0, 0) == 0.0 && depth.at(3, 2) == 1.0);
+            assert!(depth.inverse.at(0, 0) == 0.0 && depth.inverse.at(3, 2) == 1.0);
         }
         let refused = |shape: &[usize], data: Vec<f32>| {
             inverse_depth(&photo, DepthKind::Disparity, &Fixed(shape.to_vec(), data), (4, 3)).unwrap_err().found

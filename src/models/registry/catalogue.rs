@@ -19,6 +19,8 @@ pub enum DepthKind {
     Disparity,
     /// Larger is farther.
     Depth,
+    /// Metres along the optical axis: gives a scale as well.
+    Metric,
 }
 
 /// A known network.
