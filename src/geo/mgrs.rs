@@ -31,7 +31,7 @@ pub fn format(latitude: f64, longitude: f64, digits: usize) -> String {
     let hundred_km = |v: f64| ((v + 1e-9) / SQUARE).floor() as i64;
     let (column, row) = (hundred_km(at.easting), hundred_km(at.northing));
     let pick = |letters: &[u8], i: i64| *letters.get(i.max(0) as usize).unwrap_or(&b'?') as char;
-    let mut out = String::new();
+    let mut out = String::with_capacity(5 + 2 * digits);
     if at.zone == 0 {
         let (n, east) = (usize::from(at.north), column >= POLAR_EAST);
         let half = 2 * n + usize::from(east);
@@ -40,18 +40,27 @@ pub fn format(latitude: f64, longitude: f64, digits: usize) -> String {
         out.push(pick(POLAR_ROWS[n], row - POLAR_FIRST[n]));
     } else {
         let zone = i64::from(at.zone) - 1;
-        out.push_str(&format!("{:02}{}", at.zone, BANDS[band(latitude)] as char));
+        put_digits(&mut out, at.zone.into(), 2);
+        out.push(BANDS[band(latitude)] as char);
         out.push(pick(COLUMNS[(zone % 3) as usize], column - 1));
         out.push(ROWS[(row + 5 * (zone & 1)).rem_euclid(20) as usize] as char);
     }
     let unit = 10f64.powi(5 - digits as i32);
     for (value, square) in [(at.easting, column), (at.northing, row)] {
         let inside = ((value - square as f64 * SQUARE + 1e-9) / unit).floor().max(0.0) as u64;
-        if digits > 0 {
-            out.push_str(&format!("{inside:0digits$}"));
-        }
+        put_digits(&mut out, inside, digits);
     }
     out
+}
+
+/// Faster than the formatting machinery, which takes as long as the projection.
+fn put_digits(out: &mut String, value: u64, digits: usize) {
+    let mut unit = 10u64.pow(digits as u32);
+    while unit > 1 {
+        let rest = value % unit;
+        unit /= 10;
+        out.push((b'0' + (rest / unit) as u8) as char);
+    }
 }
 
 /// Reads a reference; spaces are skipped, letters of either case.
@@ -65,7 +74,7 @@ pub fn parse(text: &str) -> Result<Square, String> {
     let show = |part: &[u8]| String::from_utf8_lossy(part).into_owned();
     let zone: u8 = match zone_digits {
         0 => 0,
-        1 | 2 => show(zone_text).parse().unwrap_or(0),
+        1 | 2 => zone_text.iter().fold(0, |n, digit| 10 * n + (digit - b'0')),
         _ => return Err(format!("zone `{}`: one or two digits", show(zone_text))),
     };
     if zone_digits > 0 && !(1..=60).contains(&zone) {
@@ -84,7 +93,8 @@ pub fn parse(text: &str) -> Result<Square, String> {
     }
     let half = digits.len() / 2;
     let side = 10f64.powi(5 - half as i32);
-    let inside = |d: &[u8]| show(d).parse::<u64>().map_or(0.0, |v| v as f64) * side + side / 2.0;
+    let number = |d: &[u8]| d.iter().fold(0u64, |n, digit| 10 * n + u64::from(digit - b'0'));
+    let inside = |d: &[u8]| number(d) as f64 * side + side / 2.0;
     let (dx, dy) = (inside(&digits[..half]), inside(&digits[half..]));
     let corner = if zone == 0 { polar_corner(letters)? } else { utm_corner(zone, letters)? };
     let centre = Utm { easting: corner.easting + dx, northing: corner.northing + dy, ..corner };
@@ -107,33 +117,57 @@ fn polar_corner(letters: &[u8]) -> Result<Utm, String> {
     Ok(Utm { zone: 0, north: n == 1, easting: column as f64 * SQUARE, northing: row as f64 * SQUARE })
 }
 
+/// Northing of the central meridian at the bands' borders from the equator on, every 8° up to 80°, and at 84°.
+const BORDERS: [f64; 12] = [
+    0.0,
+    884_297.851,
+    1_768_935.376,
+    2_654_226.538,
+    3_540_435.693,
+    4_427_757.219,
+    5_316_300.224,
+    6_206_079.587,
+    7_097_014.163,
+    7_988_932.503,
+    8_881_585.816,
+    9_328_093.831,
+];
+
 fn utm_corner(zone: u8, letters: &[u8]) -> Result<Utm, String> {
     let band = find(BANDS, letters[0], "band")?;
     let index = i64::from(zone) - 1;
     let column = find(COLUMNS[(index % 3) as usize], letters[1], "column letter")? + 1;
     let row = (find(ROWS, letters[2], "row letter")? - 5 * (index & 1)).rem_euclid(20);
     let north = band >= 10;
-    let (low, high) = (8.0 * band as f64 - 80.0, if band == 19 { 84.0 } else { 8.0 * band as f64 - 72.0 });
-    // Rows repeat every 2,000 km, a band is 900 km high: one repetition reaches into the band.
-    for repeat in -5..5 {
-        let from_equator = (row + 20 * repeat) as f64 * SQUARE;
-        let corner = Utm { zone, north, easting: column as f64 * SQUARE, northing: from_equator };
-        let at = |dx: f64, dy: f64| {
-            let y = corner.northing + dy;
-            let false_north = if north { 0.0 } else { 10_000_000.0 };
-            Utm { easting: corner.easting + dx, northing: y + false_north, ..corner }.to_degrees().0
-        };
-        // The edge towards the central meridian is where a square reaches furthest from the equator.
-        let reach = [0.0, SQUARE].map(|dx| [at(dx, 0.0), at(dx, SQUARE)]);
-        let lowest = reach.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        let highest = reach.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
-        let centre_is_sound = from_equator.abs() < 9_600_000.0;
-        if centre_is_sound && lowest < high - 1e-9 && highest > low + 1e-9 {
-            let false_north = if north { 0.0 } else { 10_000_000.0 };
-            return Ok(Utm { northing: from_equator + false_north, ..corner });
-        }
+    let steps = if north { band - 10 } else { 9 - band } as usize;
+    // Of both hemispheres as distances from the equator.
+    let (near, far) = (BORDERS[steps], BORDERS[if band == 19 { 11 } else { steps + 1 }]);
+    let false_north = if north { 0.0 } else { 10_000_000.0 };
+    let no_square =
+        || format!("row letter `{}`: no such square in band {} of zone {zone}", letters[2] as char, letters[0] as char);
+    // Rows repeat every 2,000 km, a band is 900 km high, the last one 1,340 km: one repetition lies in the band, or at a
+    // border that bends away from the meridian by less than a square.
+    let middle = (if north { near + far } else { -near - far }) / (2.0 * SQUARE);
+    let from_equator = (row as f64 + 20.0 * ((middle - 0.5 - row as f64) / 20.0).round()) * SQUARE;
+    let corner = Utm { zone, north, easting: column as f64 * SQUARE, northing: from_equator + false_north };
+    let (low, high) = match north {
+        true => (from_equator, from_equator + SQUARE),
+        false => (-from_equator - SQUARE, -from_equator),
+    };
+    if low >= near + SQUARE && high <= far {
+        return Ok(corner);
     }
-    Err(format!("row letter `{}`: no such square in band {} of zone {zone}", letters[2] as char, letters[0] as char))
+    // The edge towards the central meridian is where a square reaches furthest from the equator.
+    let (inner, outer) = if column >= 5 { (0.0, SQUARE) } else { (SQUARE, 0.0) };
+    let latitude = |dx: f64, distance: f64| {
+        let at = if north { distance } else { -distance } + false_north;
+        Utm { zone, north, easting: corner.easting + dx, northing: at }.to_degrees().0.abs()
+    };
+    let (nearest, farthest) = (8.0 * steps as f64, if band == 19 { 84.0 } else { 8.0 * steps as f64 + 8.0 });
+    let reaches = (0.0..9_600_000.0).contains(&low)
+        && latitude(inner, high) > nearest + 1e-9
+        && latitude(outer, low) < farthest - 1e-9;
+    if reaches { Ok(corner) } else { Err(no_square()) }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! Karney, "Transverse Mercator with an accuracy of a few nanometers", J. Geodesy 85 (2011): Krüger's series to the sixth
 //! order in the third flattening. The polar stereographic projection shares its conformal latitude.
 
-use super::wgs84::{A, E2, F, atan2_degrees, sin_cos_degrees};
+use super::wgs84::{A, F, atan2_degrees, sin_cos_degrees};
 
 /// Third flattening.
 const N: f64 = F / (2.0 - F);
@@ -46,30 +46,47 @@ const DELTA: [f64; 6] = [
     N6 * 601_676.0 / 22275.0,
 ];
 
-/// Of UTM (transverse Mercator) and of UPS (stereographic).
-const UTM_SCALE: f64 = 0.9996;
-const UPS_SCALE: f64 = 0.994;
+/// From geographic to conformal latitude (the same).
+const CHI: [f64; 6] = [
+    -2.0 * N + N2 * 2.0 / 3.0 + N3 * 4.0 / 3.0 - N4 * 82.0 / 45.0 + N5 * 32.0 / 45.0 + N6 * 4642.0 / 4725.0,
+    N2 * 5.0 / 3.0 - N3 * 16.0 / 15.0 - N4 * 13.0 / 9.0 + N5 * 904.0 / 315.0 - N6 * 1522.0 / 945.0,
+    -N3 * 26.0 / 15.0 + N4 * 34.0 / 21.0 + N5 * 8.0 / 5.0 - N6 * 12686.0 / 2835.0,
+    N4 * 1237.0 / 630.0 - N5 * 12.0 / 5.0 - N6 * 24832.0 / 14175.0,
+    -N5 * 734.0 / 315.0 + N6 * 109_598.0 / 31185.0,
+    N6 * 444_337.0 / 155_925.0,
+];
 
-fn e() -> f64 {
-    E2.sqrt()
+/// Of UTM.
+const UTM_SCALE: f64 = 0.9996;
+
+/// c_1 sin 2x + c_2 sin 4x + … by Clenshaw, from sine and cosine of x.
+fn sine_series(c: &[f64; 6], sin: f64, cos: f64) -> f64 {
+    let (s, c2) = (2.0 * sin * cos, 2.0 * (cos - sin) * (cos + sin));
+    let (mut y1, mut y2) = (0.0, 0.0);
+    for &c in c.iter().rev() {
+        (y1, y2) = (c2 * y1 - y2 + c, y1);
+    }
+    s * y1
 }
 
-/// tan of the conformal latitude from tan of the geographic latitude (eq. 7-9).
-fn conformal(tau: f64) -> f64 {
-    let root = (1.0 + tau * tau).sqrt();
-    let sigma = (e() * (e() * tau / root).atanh()).sinh();
-    tau * (1.0 + sigma * sigma).sqrt() - sigma * root
+/// Sine and cosine of x + d from those of x, |d| below 0.01.
+fn turned_by(sin: f64, cos: f64, d: f64) -> (f64, f64) {
+    let d2 = d * d;
+    let s = d * (1.0 - d2 / 6.0 * (1.0 - d2 / 20.0 * (1.0 - d2 / 42.0)));
+    // One less than the cosine, so that nothing of the angle itself is rounded away.
+    let c = -d2 / 2.0 * (1.0 - d2 / 12.0 * (1.0 - d2 / 30.0));
+    (sin + (sin * c + cos * s), cos + (cos * c - sin * s))
+}
+
+/// Sine and cosine of the conformal latitude from those of the geographic latitude.
+fn conformal(sin: f64, cos: f64) -> (f64, f64) {
+    turned_by(sin, cos, sine_series(&CHI, sin, cos))
 }
 
 /// Geographic latitude, degrees, of the conformal latitude whose sine and cosine stand in this ratio.
 fn geographic(sin: f64, cos: f64) -> f64 {
-    let square = sin * sin + cos * cos;
-    let (s, c) = (2.0 * sin * cos / square, 2.0 * (cos - sin) * (cos + sin) / square);
-    let (mut y1, mut y2) = (0.0, 0.0);
-    for &d in DELTA.iter().rev() {
-        (y1, y2) = (c * y1 - y2 + d, y1);
-    }
-    atan2_degrees(sin, cos) + (s * y1).to_degrees()
+    let norm = (sin * sin + cos * cos).sqrt();
+    atan2_degrees(sin, cos) + sine_series(&DELTA, sin / norm, cos / norm).to_degrees()
 }
 
 /// Sum of c_j times the sine of 2j (ξ + iη) by Clenshaw, given sine and cosine of 2ξ and hyperbolic ones of 2η.
@@ -90,13 +107,14 @@ fn complex_sine_series(c: &[f64; 6], [sin, cos, sinh, cosh]: [f64; 4]) -> (f64, 
 pub fn utm_forward(latitude: f64, longitude_off: f64) -> (f64, f64) {
     let (sin_lat, cos_lat) = sin_cos_degrees(latitude);
     let (sin_lon, cos_lon) = sin_cos_degrees(longitude_off);
-    let tau = conformal(sin_lat / cos_lat.max(1e-30));
-    let r = (tau * tau + cos_lon * cos_lon).sqrt();
-    let xi = tau.atan2(cos_lon);
-    let sinh = sin_lon / r;
+    let (sin_chi, cos_chi) = conformal(sin_lat, cos_lat);
+    let (north, east) = (cos_chi * cos_lon, cos_chi * sin_lon);
+    let r = (sin_chi * sin_chi + north * north).sqrt();
+    let xi = sin_chi.atan2(north);
+    let sinh = east / r;
     let cosh = (1.0 + sinh * sinh).sqrt();
     let eta = sinh.asinh();
-    let (s, c) = (tau / r, cos_lon / r);
+    let (s, c) = (sin_chi / r, north / r);
     let doubled = [2.0 * s * c, (c - s) * (c + s), 2.0 * sinh * cosh, 1.0 + 2.0 * sinh * sinh];
     let (d_xi, d_eta) = complex_sine_series(&ALPHA, doubled);
     (UTM_SCALE * RADIUS * (eta + d_eta), UTM_SCALE * RADIUS * (xi + d_xi))
@@ -105,29 +123,30 @@ pub fn utm_forward(latitude: f64, longitude_off: f64) -> (f64, f64) {
 /// The inverse of [`utm_forward`].
 pub fn utm_reverse(east: f64, north: f64) -> (f64, f64) {
     let (xi, eta) = (north / (UTM_SCALE * RADIUS), east / (UTM_SCALE * RADIUS));
-    let (s, c) = (2.0 * xi).sin_cos();
-    let sinh = (2.0 * eta).sinh();
-    let doubled = [s, c, sinh, (1.0 + sinh * sinh).sqrt()];
-    let (d_xi, d_eta) = complex_sine_series(&BETA, doubled);
-    let (xi, eta) = (xi - d_xi, eta - d_eta);
-    let (sin, cos) = xi.sin_cos();
+    let (s, c) = xi.sin_cos();
     let sinh = eta.sinh();
-    (geographic(sin, (sinh * sinh + cos * cos).sqrt()), sinh.atan2(cos).to_degrees())
+    let cosh = (1.0 + sinh * sinh).sqrt();
+    let doubled = [2.0 * s * c, (c - s) * (c + s), 2.0 * sinh * cosh, 1.0 + 2.0 * sinh * sinh];
+    let (d_xi, d_eta) = complex_sine_series(&BETA, doubled);
+    let (sin, cos) = turned_by(s, c, -d_xi);
+    // sinh(η − d) for the small d.
+    let d2 = d_eta * d_eta;
+    let sinh_d = d_eta * (1.0 + d2 / 6.0 * (1.0 + d2 / 20.0));
+    let sinh = sinh + (sinh * (d2 / 2.0 * (1.0 + d2 / 12.0 * (1.0 + d2 / 30.0))) - cosh * sinh_d);
+    (geographic(sin, (sinh * sinh + cos * cos).sqrt()), atan2_degrees(sinh, cos))
 }
 
-/// 2 k₀ a / c of the stereographic projection, c = √((1 + e)^(1 + e) (1 − e)^(1 − e)) (Snyder 1987, eq. 21-33).
-fn stereographic_scale() -> f64 {
-    2.0 * UPS_SCALE * A / ((1.0 - F) * (e() * e().atanh()).exp())
-}
+/// 2 k₀ a / c of the stereographic projection, k₀ = 0.994, c = √((1 + e)^(1 + e) (1 − e)^(1 − e)) (Snyder 1987, eq. 21-33), metres.
+const STEREOGRAPHIC_SCALE: f64 = 12_637_318.498_257_402;
 
 /// Degrees → metres from the pole along 90° E and along 180° (north) or 0° (south): false origin not added.
 pub fn ups_forward(north: bool, latitude: f64, longitude: f64) -> (f64, f64) {
     let (sin_lat, cos_lat) = sin_cos_degrees(if north { latitude } else { -latitude });
     let (sin_lon, cos_lon) = sin_cos_degrees(longitude);
-    let tau = conformal(sin_lat / cos_lat.max(1e-30));
-    let t = if tau >= 0.0 { 1.0 / (tau.hypot(1.0) + tau) } else { tau.hypot(1.0) - tau };
-    // At the pole itself the tangent is a large number, not infinite.
-    let rho = if cos_lat == 0.0 { 0.0 } else { stereographic_scale() * t };
+    let (sin_chi, cos_chi) = conformal(sin_lat, cos_lat);
+    // tan of half the angle from the pole; the other hemisphere is far away, and its pole infinitely.
+    let t = if sin_chi >= 0.0 { cos_chi / (1.0 + sin_chi) } else { (1.0 - sin_chi) / cos_chi };
+    let rho = STEREOGRAPHIC_SCALE * t;
     (rho * sin_lon, if north { -rho * cos_lon } else { rho * cos_lon })
 }
 
@@ -138,9 +157,36 @@ pub fn ups_reverse(north: bool, east: f64, along: f64) -> (f64, f64) {
     let latitude = if rho == 0.0 {
         90.0
     } else {
-        let t = rho / stereographic_scale();
+        let t = rho / STEREOGRAPHIC_SCALE;
         geographic((1.0 - t) * (1.0 + t), 2.0 * t)
     };
     let longitude = if rho == 0.0 { 0.0 } else { atan2_degrees(east, down) };
     (if north { latitude } else { -latitude }, longitude)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::wgs84::E2;
+    use super::*;
+
+    #[test]
+    fn constants_are_their_formulas() {
+        let e = E2.sqrt();
+        let scale = 2.0 * 0.994 * A / ((1.0 - F) * (e * e.atanh()).exp());
+        assert!((scale - STEREOGRAPHIC_SCALE).abs() < 1e-8, "{scale}");
+        // Karney 2011, eq. 7-9: the conformal latitude by its own formula.
+        for degrees in [0.0, 1e-7, 12.5, 45.0, 71.0, 89.0, 90.0 - 1e-7] {
+            let (sin, cos) = sin_cos_degrees(degrees);
+            let tau = sin / cos;
+            let root = (1.0 + tau * tau).sqrt();
+            let sigma = (e * (e * tau / root).atanh()).sinh();
+            let (s, c) = conformal(sin, cos);
+            let expected = tau * (1.0 + sigma * sigma).sqrt() - sigma * root;
+            assert!(
+                (s / c / expected.max(1e-300) - 1.0).abs() < 2e-14 || degrees == 0.0,
+                "{degrees}: {} {expected}",
+                s / c
+            );
+        }
+    }
 }
