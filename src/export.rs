@@ -107,11 +107,11 @@ pub fn stage_files(
     let image = image::GrayImage::from_raw(mask.width as u32, mask.height as u32, levels)
         .ok_or_else(|| Error::environment("mask.png").found("a mask of another size than its own"))?;
     let mask =
-        File { path: "mask.png".into(), bytes: marked_png(&image.into(), labels.marking)?, media_type: "image/png" };
+        File { path: "mask.png".into(), bytes: marked_png(&image.into(), &labels.marking)?, media_type: "image/png" };
     Ok([mask, gaussians_ply("network.ply", &r.prior.gaussians, to_metres, placement, labels)?])
 }
 
-fn marked_png(image: &image::DynamicImage, marking: Marking) -> Result<Vec<u8>> {
+fn marked_png(image: &image::DynamicImage, marking: &Marking) -> Result<Vec<u8>> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     image.write_to(&mut bytes, image::ImageFormat::Png).map_err(|e| Error::environment("PNG").found(e.to_string()))?;
     Ok(inband::mark_png(&bytes.into_inner(), marking))
@@ -212,7 +212,7 @@ pub fn kmz(level: &Level, to_metres: &ToMetres, document: &str, labels: &Labels)
         .map_err(format_error)?;
     let files = [
         (format!("models/{stem}.dae"), model),
-        (format!("models/{stem}.png"), inband::mark_png(&png.into_inner(), labels.marking)),
+        (format!("models/{stem}.png"), inband::mark_png(&png.into_inner(), &labels.marking)),
     ];
     let bytes = kmz::write(document, &files, &marking).map_err(format_error)?;
     Ok(File { path: format!("{stem}.kmz"), bytes, media_type: "application/vnd.google-earth.kmz" })
@@ -234,7 +234,7 @@ fn to_north(mesh: &orb_formats::Mesh, heading: f64) -> orb_formats::Mesh {
 }
 
 /// Photo, mask and depth; the six views; the model turned; its levels.
-pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Result<Vec<u8>> {
+pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: &Marking) -> Result<Vec<u8>> {
     let [what, six] = seen_rows(photo, &r.subject, &r.six);
     let finest = &r.model.levels[0];
     let draw =
@@ -251,12 +251,12 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: Marking) -> Re
         let caption = format!("{} vertices", level.mesh.positions.len());
         last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
     }
-    let sheet = preview::sheet(&[what, six, turned.collect(), last], marking.banner());
+    let sheet = preview::sheet(&[what, six, turned.collect(), last], &marking.banner());
     marked_png(&sheet.into(), marking)
 }
 
 /// The same of a photo that no mesh was made of: the Gaussians turned.
-pub fn fitted_png(photo: &RgbImage, f: &Fitted, marking: Marking) -> Result<Vec<u8>> {
+pub fn fitted_png(photo: &RgbImage, f: &Fitted, marking: &Marking) -> Result<Vec<u8>> {
     let [what, six] = seen_rows(photo, &f.subject, &f.six);
     let turned = (0..6).map(|i| {
         let azimuth = 60.0 * i as f32;
@@ -264,7 +264,7 @@ pub fn fitted_png(photo: &RgbImage, f: &Fitted, marking: Marking) -> Result<Vec<
         let image = preview::from_floats(frame.width, frame.height, &frame.color);
         tile(image, &format!("Gaussians {azimuth}"))
     });
-    marked_png(&preview::sheet(&[what, six, turned.collect()], marking.banner()).into(), marking)
+    marked_png(&preview::sheet(&[what, six, turned.collect()], &marking.banner()).into(), marking)
 }
 
 fn tile(image: RgbImage, caption: &str) -> Tile {

@@ -160,6 +160,64 @@ fn a_model_of_others_becomes_every_format_with_a_surface() {
     assert!(third.join("mesh.flt").metadata().unwrap().len() < out.join("mesh.flt").metadata().unwrap().len());
 }
 
+/// A classified scene: its banner in every format, its authority in the record, and no way down.
+#[test]
+fn a_classified_scene_stays_one_in_every_format() {
+    let dir = tempfile::tempdir().unwrap();
+    let banner = "SECRET//ORCON/REL TO USA, AUS, CAN, DEU, ESP, FRA, GBR, ITA, JPN, NLD, NOR, NZL//LIMDIS";
+    let scene = dir.path().join("site.ply");
+    std::fs::write(&scene, ply::write(&ball(), &[format!("CLASSIFICATION: {banner}")]).unwrap()).unwrap();
+    let key = dir.path().join("unit.pem");
+    succeeds(&["audit", "keygen", "-o", text(&key)]);
+    let out = dir.path().join("out");
+    let base = ["export", text(&scene), "--origin", "34.5523,-118.4712,740", "--key", text(&key), "-o", text(&out)];
+    let refused = |more: &[&str], code: &str| {
+        let done = orb(&[&base[..], more].concat());
+        assert_eq!(done.status.code(), Some(4), "{more:?}: {}", said(&done));
+        assert!(said(&done).contains(code), "{more:?}: {}", said(&done));
+        assert!(!out.exists());
+    };
+    refused(&[], "AUTHORITY_REQUIRED");
+    let by = ["--classified-by", "J. Doe, analyst", "--derived-from", "Guide, Agency, 20240105", "--declassify-on"];
+    let block = [&by[..], &["25X1, 20701231"]].concat();
+    refused(&[&by[..], &["OADR"]].concat(), "AUTHORITY_INVALID");
+    refused(&[&block[..], &["--classification", "SECRET//REL TO USA, AUS, GBR//LIMDIS"]].concat(), "MARKING_DOWNGRADE");
+    refused(&[&block[..], &["--classification", "CONFIDENTIAL"]].concat(), "MARKING_DOWNGRADE");
+    refused(
+        &[&block[..], &["--classification", "TOP SECRET//ORCON/NOFORN//LIMDIS"]].concat(),
+        "MARKING_REASON_REQUIRED",
+    );
+    let events = succeeds(&["audit", "events"]);
+    assert!(events.contains("marking.refused") && events.contains("MARKING_DOWNGRADE"), "{events}");
+
+    succeeds(&[&base[..], &block, &["--format", EVERYTHING]].concat());
+    succeeds(&["audit", "verify", text(&out)]);
+    let checked = succeeds(&["cdb", "check", text(&out.join("site.cdb"))]);
+    assert!(!checked.contains("FAIL"), "{checked}");
+    for name in
+        ["site.glb", "site.usdz", "site.spz", "scene.ply", "tiles3d/tileset.json", "site.flt", "orb-marking.json"]
+    {
+        let bytes = std::fs::read(out.join(name)).unwrap();
+        assert!(bytes.windows(banner.len()).any(|w| w == banner.as_bytes()), "{name} does not show the banner");
+    }
+    let shown = succeeds(&["audit", "show", text(&out), "--json"]);
+    let record: serde_json::Value = serde_json::from_str(&shown).unwrap();
+    let marking = &record["predicate"]["marking"];
+    assert_eq!(marking["banner"], banner);
+    assert_eq!(marking["authority"]["declassify_on"], "25X1, 20701231");
+    assert_eq!(marking["ism"]["nonICmarkings"], serde_json::json!(["DS"]));
+    // What was made of it carries it on, and may be raised with a reason.
+    let above = dir.path().join("above");
+    let ply = out.join("scene.ply");
+    let raised = ["--classification", "TOP SECRET//ORCON/NOFORN//LIMDIS", "--raise-reason", "compilation"];
+    let again = ["export", text(&ply), "--format", "glb", "--key", text(&key), "-o", text(&above)];
+    succeeds(&[&again[..], &block, &raised].concat());
+    let shown = succeeds(&["audit", "show", text(&above), "--json"]);
+    let record: serde_json::Value = serde_json::from_str(&shown).unwrap();
+    assert_eq!(record["predicate"]["marking"]["raised_reason"], "compilation");
+    assert_eq!(record["predicate"]["marking"]["inputs_join"], banner);
+}
+
 #[test]
 fn what_cannot_be_done_is_said() {
     let dir = tempfile::tempdir().unwrap();

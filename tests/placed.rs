@@ -54,7 +54,7 @@ fn corners() -> Vec<[f64; 3]> {
 fn labels() -> Labels {
     Labels {
         stem: "box".into(),
-        marking: Marking::Unclassified,
+        marking: Marking::UNCLASSIFIED,
         utc: "2026-11-21T04:05:06.789Z".into(),
         facc: "UA005".into(),
         fsc: 0,

@@ -1,15 +1,15 @@
 //! Closing a ledger: its last record says so, then the whole of it moves away. Nothing is ever pruned.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::checkpoint::Checkpoint;
+use super::disk::Disk;
 use super::keys::SigningKey;
 use super::ledger::Ledger;
 use super::ledger_check::CLOSE_EVENT;
 use super::marking::Marking;
-use super::record::{self, RecordDraft, operator_from};
-use super::statement::{Outcome, Tool};
+use super::record::{self, RecordDraft};
+use super::statement::Outcome;
 use super::time::TimeReading;
 use crate::{Error, Result};
 
@@ -22,44 +22,20 @@ pub const CHECKPOINT: &str = "checkpoint.dsse.json";
 /// [`crate::Kind::Incomplete`] when there is nothing to close; [`crate::Kind::Usage`] when `folder` exists; else as
 /// [`Ledger::append`].
 pub fn close(
-    mut ledger: Ledger,
+    ledger: Ledger,
     folder: &Path,
     key: &SigningKey,
     time: TimeReading,
     random: [u8; 10],
 ) -> Result<Checkpoint> {
-    if ledger.checkpoint()?.is_none() {
-        return Err(Error::incomplete(ledger.path().display().to_string())
-            .expected("a ledger with at least one record")
-            .found("none")
-            .advice("There is nothing to archive."));
-    }
     if std::fs::symlink_metadata(folder).is_ok() {
         return Err(Error::usage(folder.display().to_string()).expected("a new folder").found("something that exists"));
     }
-    let draft = event(CLOSE_EVENT, "orb audit ledger archive", time, random, Marking::Unclassified);
-    ledger.append(key, |next| record::seal(&draft, Vec::new(), Outcome::Success, None, next, key), |_, _| Ok(()))?;
-    let moved = Ledger::at(ledger.move_to(folder)?);
-    let checkpoint = moved.checkpoint()?.ok_or_else(|| Error::integrity("the archived ledger").found("no records"))?;
-    super::disk::Disk::default().write_new(&folder.join(CHECKPOINT), &checkpoint.sign(key)?.to_line())?;
+    let draft = RecordDraft::event(CLOSE_EVENT, "orb audit ledger archive", time, random, Marking::UNCLASSIFIED.into());
+    let seal = |next| record::seal(&draft, Vec::new(), Outcome::Success, None, next, key);
+    let checkpoint = ledger.close_into(folder, key, seal)?;
+    Disk::default().write_new(&folder.join(CHECKPOINT), &checkpoint.sign(key)?.to_line())?;
     Ok(checkpoint)
-}
-
-/// A record of something that made no output.
-pub fn event(kind: &str, command: &str, time: TimeReading, random: [u8; 10], marking: Marking) -> RecordDraft {
-    RecordDraft {
-        event_type: kind.into(),
-        time,
-        event_random: random,
-        operator_id: operator_from(|name| std::env::var(name).ok()),
-        command: command.into(),
-        inputs: Vec::new(),
-        models: Vec::new(),
-        params: BTreeMap::new(),
-        tool: Tool::of_this_binary(),
-        marking,
-        notes: None,
-    }
 }
 
 #[cfg(test)]

@@ -109,6 +109,7 @@ pub(crate) fn write_error(path: &Path, length: usize, error: &io::Error) -> Erro
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => Error::io(path, error)
             .expected(format!("room for {length} more bytes"))
             .advice("Free some space or choose another place with -o. Nothing was published."),
+        ErrorKind::AlreadyExists => Error::io(path, error).expected("a new file"),
         ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => Error::io(path, error)
             .expected("a place where this user may write")
             .advice("Choose another place with -o. Nothing was published."),

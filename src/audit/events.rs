@@ -5,12 +5,11 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::archive;
 use super::data_folder::DataFolder;
 use super::keys::{KeySource, SigningKey};
 use super::ledger::Ledger;
 use super::marking::Marking;
-use super::record;
+use super::record::{self, RecordDraft};
 use super::statement::{Outcome, Statement};
 use super::time;
 use crate::{Error, Kind, Result};
@@ -84,7 +83,7 @@ pub fn log(data: &DataFolder, kind: &str, command: &str, outcome: Outcome, code:
     let key = SigningKey::load(&path, KeySource::UserData)?;
     let mut random = [0; 10];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
-    let draft = archive::event(kind, command, time::now()?, random, Marking::Unclassified);
+    let draft = RecordDraft::event(kind, command, time::now()?, random, Marking::UNCLASSIFIED.into());
     Ledger::open(data)?
         .append(&key, |next| record::seal(&draft, Vec::new(), outcome, code, next, &key), |_, _| Ok(()))
         .map(drop)
@@ -130,7 +129,7 @@ mod tests {
         let event = || log(&data, "run.failed", "orb geo", Outcome::Failure, Some("CANCELLED"));
         event().unwrap();
         assert!(!data.path().exists());
-        keys::for_marking(&data, Marking::Unclassified, None).unwrap();
+        keys::for_marking(&data, &Marking::UNCLASSIFIED, None).unwrap();
         event().unwrap();
         event().unwrap();
         let text = list(Ledger::open(&data).unwrap().path()).unwrap();

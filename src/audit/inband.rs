@@ -14,11 +14,13 @@
 //! | 3D Tiles | `CLASSIFICATION: …` in tileset.json's `asset.extras` |
 //! | SPZ | the comment of the gzip header, or an extension record (version 4) |
 //! | `orb-marking.json` | its `banner` |
+//! | JPEG, TIFF (read only) | `CLASSIFICATION: …` in comments, EXIF and XMP; SecurityClassification (TIFF/EP, 0x9212) |
 //!
 //! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
 
 use super::canonical::Json;
-use super::marking::{LINE_PREFIX, Marking};
+use super::marking::{LINE_PREFIX, MAX_BANNER, Marking};
+use crate::Result;
 
 /// The keyword of the PNG chunk.
 const PNG_KEYWORD: &str = "Classification";
@@ -47,6 +49,8 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "png" => (png(bytes), true),
         "flt" => (openflight(bytes), true),
         "xml" => (lines_in(bytes), file == "Version.xml"),
+        "jpg" | "jpeg" => (jpeg(bytes), false),
+        "tif" | "tiff" => (tiff(bytes), false),
         "rgb" | "sgi" => (words_in(bytes.get(24..104).unwrap_or_default()), false),
         "attr" => (lines_in(bytes.get(1024..1536).unwrap_or_default()), false),
         "zip" => (words_in(zip_comment(bytes)), false),
@@ -60,16 +64,31 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
     if found.is_empty() { Carried::Nothing { required } } else { Carried::Banners(found) }
 }
 
+/// What a file is marked: the join of every banner in it, none where there is none.
+///
+/// # Errors
+/// As [`Marking::parse`].
+pub fn marking(name: &str, bytes: &[u8]) -> Result<Option<Marking>> {
+    match read(name, bytes) {
+        Carried::Banners(banners) => {
+            let all = banners.iter().map(|b| Marking::parse(b)).collect::<Result<Vec<_>>>()?;
+            Ok(Some(Marking::join_all(&all)))
+        }
+        Carried::Nothing { .. } | Carried::NoCarrier => Ok(None),
+    }
+}
+
 /// True for names whose files are worth reading for a marking.
 pub fn has_carrier(name: &str) -> bool {
     read(name, &[]) != Carried::NoCarrier
 }
 
 /// Compares a file with the marking that it must carry. `Some` says what is there instead.
-pub fn mismatch(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
+pub fn mismatch(name: &str, bytes: &[u8], marking: &Marking) -> Option<String> {
     match read(name, bytes) {
         Carried::Banners(banners) => {
-            let wrong = banners.iter().find(|b| b.as_str() != marking.banner())?;
+            let banner = carried_as(name, marking);
+            let wrong = banners.iter().find(|b| **b != banner)?;
             Some(format!("{LINE_PREFIX}{wrong}"))
         }
         Carried::Nothing { required: true } => Some("no marking inside".into()),
@@ -79,13 +98,24 @@ pub fn mismatch(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
 
 /// The same for a file that others share, such as an archive of a store, which gathers the markings of all that was
 /// ever put into it: this one must be among them.
-pub fn mismatch_in_store(name: &str, bytes: &[u8], marking: Marking) -> Option<String> {
+pub fn mismatch_in_store(name: &str, bytes: &[u8], marking: &Marking) -> Option<String> {
     match read(name, bytes) {
-        Carried::Banners(banners) if !banners.iter().any(|b| b == marking.banner()) => {
+        Carried::Banners(banners) if !banners.contains(&carried_as(name, marking)) => {
             Some(format!("{LINE_PREFIX}{}", banners.join(", ")))
         }
         _ => None,
     }
+}
+
+/// The banner as the carrier holds it: the name of an SGI image ends after 79 characters.
+fn carried_as(name: &str, marking: &Marking) -> String {
+    let mut banner = marking.banner();
+    let ending = name.rsplit('.').next().unwrap_or_default();
+    if ending.eq_ignore_ascii_case("rgb") || ending.eq_ignore_ascii_case("sgi") {
+        banner.truncate(79 - LINE_PREFIX.len());
+        banner.truncate(banner.trim_end_matches(TRAILING).len());
+    }
+    banner
 }
 
 fn sidecar(bytes: &[u8]) -> Vec<String> {
@@ -184,14 +214,72 @@ fn lines_in(bytes: &[u8]) -> Vec<String> {
     while let Some(at) = rest.windows(prefix.len()).position(|w| w == prefix) {
         rest = &rest[at + prefix.len()..];
         let in_banner = |b: &u8| b.is_ascii_uppercase() || b.is_ascii_digit() || b" /,-".contains(b);
-        let banner: Vec<u8> = rest.iter().copied().take(256).take_while(in_banner).collect();
-        found.push(String::from_utf8_lossy(&banner).trim_end_matches([' ', ',', '-']).to_owned());
+        let banner: Vec<u8> = rest.iter().copied().take(MAX_BANNER).take_while(in_banner).collect();
+        found.push(String::from_utf8_lossy(&banner).trim_end_matches(TRAILING).to_owned());
     }
     found
 }
 
+/// Ends of words and comments around a banner, never its own.
+const TRAILING: [char; 3] = [' ', ',', '-'];
+
+/// Segments up to the picture's data: comments and applications' (ITU-T T.81, annex B).
+fn jpeg(bytes: &[u8]) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = bytes.strip_prefix(&[0xff, 0xd8]).unwrap_or_default();
+    while let [0xff, kind, a, b, ..] = *rest {
+        let length = usize::from(u16::from_be_bytes([a, b])).max(2);
+        let Some(body) = rest.get(4..2 + length) else { break };
+        match kind {
+            // Start of scan: from here on there are pixels.
+            0xda => break,
+            0xe0..=0xef | 0xfe => {
+                found.extend(lines_in(body));
+                if let Some(block) = body.strip_prefix(b"Exif\0\0") {
+                    found.extend(security_classification(exif::Reader::new().read_raw(block.to_vec()).ok()));
+                }
+            }
+            _ => {}
+        }
+        rest = &rest[2 + length..];
+    }
+    found
+}
+
+/// ImageDescription, XMP, GDAL's metadata and SecurityClassification.
+fn tiff(bytes: &[u8]) -> Vec<String> {
+    let tags = exif::Reader::new().read_from_container(&mut std::io::Cursor::new(bytes)).ok();
+    let texts = [0x010e, 0x02bc, 0xa480].map(|number| exif::Tag(exif::Context::Tiff, number));
+    let words = |field: &exif::Field| match &field.value {
+        exif::Value::Ascii(lines) => lines.concat(),
+        exif::Value::Byte(bytes) | exif::Value::Undefined(bytes, _) => bytes.clone(),
+        _ => Vec::new(),
+    };
+    let fields = tags.iter().flat_map(|t| t.fields()).filter(|f| texts.contains(&f.tag));
+    let mut found: Vec<String> = fields.flat_map(|f| lines_in(&words(f))).collect();
+    found.extend(security_classification(tags));
+    found
+}
+
+/// TIFF/EP's one letter as the banner that it stands for; `R` has none that is supported.
+fn security_classification(tags: Option<exif::Exif>) -> Option<String> {
+    let number = 0x9212;
+    let tags = tags?;
+    let field = tags.fields().find(|f| f.tag.number() == number)?;
+    let exif::Value::Ascii(lines) = &field.value else { return None };
+    let letter = lines.first()?.first()?;
+    Some(match letter.to_ascii_uppercase() {
+        b'U' => "UNCLASSIFIED".into(),
+        b'C' => "CONFIDENTIAL".into(),
+        b'S' => "SECRET".into(),
+        b'T' => "TOP SECRET".into(),
+        b'R' => "RESTRICTED".into(),
+        other => char::from(other).to_string(),
+    })
+}
+
 /// Puts the marking into a PNG, right after its header chunk. Bytes that are no PNG come back as they are.
-pub fn mark_png(png: &[u8], marking: Marking) -> Vec<u8> {
+pub fn mark_png(png: &[u8], marking: &Marking) -> Vec<u8> {
     // Signature, then IHDR: length 13, type, data, check sum.
     let head = PNG_SIGNATURE.len() + 8 + 13 + 4;
     if !png.starts_with(PNG_SIGNATURE) || png.len() < head {
@@ -238,19 +326,19 @@ mod tests {
     fn a_marked_png_is_still_a_png() {
         assert_eq!(crc32(b"123456789"), 0xCBF4_3926, "the check value of CRC-32");
         let plain = png_of(3);
-        assert_eq!(mismatch("a.png", &plain, Marking::Cui), Some("no marking inside".into()));
-        for level in Marking::ALL {
-            let marked = mark_png(&plain, level);
-            assert_eq!(read("p/a.png", &marked), Carried::Banners(vec![level.banner().into()]));
+        assert_eq!(mismatch("a.png", &plain, &Marking::CUI), Some("no marking inside".into()));
+        for banner in ["UNCLASSIFIED", "CUI//SP-CTI//NOFORN", "TOP SECRET//ORCON/REL TO USA, AUS, GBR"] {
+            let marked = mark_png(&plain, &Marking::parse(banner).unwrap());
+            assert_eq!(read("p/a.png", &marked), Carried::Banners(vec![banner.into()]));
             let image = image::load_from_memory(&marked).unwrap();
             assert_eq!(image, image::load_from_memory(&plain).unwrap());
         }
-        assert_eq!(mark_png(b"no PNG", Marking::Cui), b"no PNG");
+        assert_eq!(mark_png(b"no PNG", &Marking::CUI), b"no PNG");
     }
 
     #[test]
     fn carriers() {
-        let line = Marking::Secret.line();
+        let line = Marking::SECRET.line();
         let ply = format!("ply\nformat ascii 1.0\ncomment {line}\nend_header\ncomment CLASSIFICATION: CUI\n");
         let version = format!("<Version><Comment>{line}. Made by Orb</Comment></Version>");
         let mut sgi = vec![0; 600];
@@ -279,18 +367,18 @@ mod tests {
             ("m.FLT", &xml_comment),
         ] {
             assert_eq!(read(name, bytes), Carried::Banners(vec!["SECRET".into()]), "{name}");
-            assert_eq!(mismatch(name, bytes, Marking::Secret), None);
-            assert_eq!(mismatch(name, bytes, Marking::Cui), Some("CLASSIFICATION: SECRET".into()));
+            assert_eq!(mismatch(name, bytes, &Marking::SECRET), None);
+            assert_eq!(mismatch(name, bytes, &Marking::CUI), Some("CLASSIFICATION: SECRET".into()));
         }
-        assert!(mismatch("Version.xml", b"<Version/>", Marking::Cui).is_some());
-        assert_eq!(mismatch("Other.xml", b"<Other/>", Marking::Cui), None);
+        assert!(mismatch("Version.xml", b"<Version/>", &Marking::CUI).is_some());
+        assert_eq!(mismatch("Other.xml", b"<Other/>", &Marking::CUI), None);
         assert_eq!(read("a.dbf", line.as_bytes()), Carried::NoCarrier);
     }
 
     #[test]
     fn a_second_lower_banner_does_not_hide() {
         let text = "<a>CLASSIFICATION: SECRET</a><b>CLASSIFICATION: UNCLASSIFIED</b>";
-        assert!(mismatch("Version.xml", text.as_bytes(), Marking::Secret).is_some());
+        assert!(mismatch("Version.xml", text.as_bytes(), &Marking::SECRET).is_some());
     }
 
     #[test]
@@ -298,10 +386,52 @@ mod tests {
         let mut zip = b"PK\x05\x06".to_vec();
         zip.extend([0; 18]);
         zip.extend(b"CLASSIFICATION: CUI\nUNCLASSIFIED");
-        assert!(mismatch("a.zip", &zip, Marking::Cui).is_some());
-        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Cui), None);
-        assert_eq!(mismatch_in_store("a.zip", &zip, Marking::Unclassified), None);
-        assert!(mismatch_in_store("a.zip", &zip, Marking::Secret).is_some());
+        assert!(mismatch("a.zip", &zip, &Marking::CUI).is_some());
+        assert_eq!(mismatch_in_store("a.zip", &zip, &Marking::CUI), None);
+        assert_eq!(mismatch_in_store("a.zip", &zip, &Marking::UNCLASSIFIED), None);
+        assert!(mismatch_in_store("a.zip", &zip, &Marking::SECRET).is_some());
+    }
+
+    #[test]
+    fn photos_and_terrains_are_read() {
+        use exif::{Context, Field, In, Tag, Value, experimental::Writer};
+        let block = |tag: u16, text: &str| {
+            let field = Field {
+                tag: Tag(Context::Tiff, tag),
+                ifd_num: In::PRIMARY,
+                value: Value::Ascii(vec![text.as_bytes().to_vec()]),
+            };
+            let (mut writer, mut out) = (Writer::new(), std::io::Cursor::new(Vec::new()));
+            writer.push_field(&field);
+            writer.write(&mut out, true).unwrap();
+            out.into_inner()
+        };
+        let segment =
+            |kind: u8, body: &[u8]| [&[0xff, kind][..], &((body.len() + 2) as u16).to_be_bytes(), body].concat();
+        let jpeg =
+            |segments: &[Vec<u8>]| [&[0xff, 0xd8][..], &segments.concat(), &[0xff, 0xda, 0, 2, 1, 2, 3]].concat();
+        let exif = |tag, text: &str| segment(0xe1, &[b"Exif\0\0", &block(tag, text)[..]].concat());
+        let of = |name: &str, bytes: &[u8]| marking(name, bytes).unwrap().map(|m| m.banner());
+        let comment = segment(0xfe, b"CLASSIFICATION: SECRET//NOFORN. A site.");
+        assert_eq!(of("a.jpg", &jpeg(&[])), None);
+        assert_eq!(of("a.JPG", &jpeg(std::slice::from_ref(&comment))).as_deref(), Some("SECRET//NOFORN"));
+        assert_eq!(of("a.jpg", &jpeg(&[exif(0x9212, "S")])).as_deref(), Some("SECRET"));
+        assert_eq!(of("a.jpg", &jpeg(&[exif(0x9212, "T"), comment])).as_deref(), Some("TOP SECRET//NOFORN"));
+        assert_eq!(of("a.jpg", &jpeg(&[exif(0x010e, "CLASSIFICATION: CUI")])).as_deref(), Some("CUI"));
+        assert!(marking("a.jpg", &jpeg(&[exif(0x9212, "R")])).unwrap_err().found.contains("RESTRICTED"));
+        assert_eq!(of("a.tif", &block(0x010e, "CLASSIFICATION: CUI//SP-CTI")).as_deref(), Some("CUI//SP-CTI"));
+        assert_eq!(of("a.tif", &block(0x9212, "C")).as_deref(), Some("CONFIDENTIAL"));
+    }
+
+    #[test]
+    fn a_short_carrier_holds_the_beginning_of_a_long_banner() {
+        let long = "TOP SECRET//ORCON/REL TO USA, AUS, CAN, DEU, ESP, FRA, GBR, ITA, JPN, NLD, NOR, NZL, POL, PRT, SWE";
+        let long = Marking::parse(long).unwrap();
+        let mut sgi = vec![0; 600];
+        let line = &long.line().into_bytes()[..79];
+        sgi[24..103].copy_from_slice(line);
+        assert_eq!(mismatch("t.rgb", &sgi, &long), None);
+        assert!(mismatch("t.rgb", &sgi, &Marking::TOP_SECRET).is_some());
     }
 
     #[test]

@@ -242,7 +242,7 @@ impl SigningKey {
 ///
 /// # Errors
 /// [`Kind::Policy`], `KEY_REQUIRED`, for CUI and above without a named key; else as [`SigningKey::load`].
-pub fn for_marking(data: &DataFolder, marking: Marking, named: Option<&Path>) -> Result<KeyForRun> {
+pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<&Path>) -> Result<KeyForRun> {
     let (key, created) = match named {
         Some(path) => (SigningKey::load(path, KeySource::NamedFile)?, false),
         None if marking.needs_named_key() => {

@@ -39,6 +39,13 @@ struct End {
     bytes: u64,
 }
 
+/// A ledger's file, locked, and where it ends.
+struct Opened {
+    existed: bool,
+    file: File,
+    end: End,
+}
+
 impl Ledger {
     /// Opens `ledger/orb-ledger.jsonl` of the user's data folder, making the folder.
     ///
@@ -74,10 +81,27 @@ impl Ledger {
         make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
         stage: impl FnOnce(&Sealed, &Proof) -> Result<()>,
     ) -> Result<Sealed> {
+        let opened = self.open_at_end()?;
+        self.append_to(opened, key, make, stage).map(|(sealed, _)| sealed)
+    }
+
+    /// Waits for its turn and finds the end. The lock goes with the file.
+    fn open_at_end(&self) -> Result<Opened> {
         let existed = self.path.exists();
         let mut file = self.open_locked()?;
         set_partial_line_aside(&mut file, &self.path)?;
         let end = self.end(&mut file)?;
+        Ok(Opened { existed, file, end })
+    }
+
+    /// The record, and the ledger as it ends now, still locked.
+    fn append_to(
+        &self,
+        Opened { existed, mut file, end }: Opened,
+        key: &SigningKey,
+        make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
+        stage: impl FnOnce(&Sealed, &Proof) -> Result<()>,
+    ) -> Result<(Sealed, Opened)> {
         let next = end.last.as_ref().map(chain_after).transpose().map_err(|why| self.broken(why))?;
         let sealed = make(next)?;
         let proof = Proof::of_next(&end.tree, &sealed, key)?;
@@ -92,12 +116,13 @@ impl Ledger {
             self.disk.sync_dir(folder)?;
         }
         // The record stands. A head that lags behind is brought up by the next append.
+        let (mut tree, bytes) = (end.tree, end.bytes + line.len() as u64);
         if let Some(leaf) = checkpoint::record_leaf(&sealed.trail_hash) {
-            let mut tree = end.tree;
             tree.push(leaf);
-            let _ = Head::of(&tree, end.bytes + line.len() as u64, &proof).save(&self.head_path(), &self.disk);
+            let _ = Head::of(&tree, bytes, &proof).save(&self.head_path(), &self.disk);
         }
-        Ok(sealed)
+        let end = End { tree, last: Some(sealed.statement.clone()), bytes };
+        Ok((sealed, Opened { existed: true, file, end }))
     }
 
     /// A checkpoint of the ledger as it stands, for keeping elsewhere; `None` for a ledger without records.
@@ -108,19 +133,40 @@ impl Ledger {
         if !self.path.exists() {
             return Ok(None);
         }
-        let mut file = self.open_locked()?;
-        set_partial_line_aside(&mut file, &self.path)?;
-        let end = self.end(&mut file)?;
+        let Opened { end, .. } = self.open_at_end()?;
         Ok(end.last.map(|last| checkpoint::Checkpoint::of(&end.tree, &last)))
     }
 
-    /// Moves the ledger and its head into `folder`, which must be new. The next record begins a new ledger.
+    /// Appends the last record that `make` builds and moves the ledger and its head into `folder`, which must be new: under
+    /// one lock, so that no record comes between. The next record begins a new ledger.
     ///
     /// # Errors
-    /// [`crate::Kind::Environment`] when the files cannot be moved.
-    pub(super) fn move_to(&self, folder: &Path) -> Result<PathBuf> {
-        let lock = self.open_locked()?;
+    /// [`crate::Kind::Incomplete`] without a record to close; [`crate::Kind::Environment`] when the files cannot be moved;
+    /// else as [`Ledger::append`].
+    pub(super) fn close_into(
+        &self,
+        folder: &Path,
+        key: &SigningKey,
+        make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
+    ) -> Result<checkpoint::Checkpoint> {
+        let nothing = || {
+            Error::incomplete(self.path.display().to_string())
+                .expected("a ledger with at least one record")
+                .found("none")
+                .advice("There is nothing to archive.")
+        };
+        if !self.path.exists() {
+            return Err(nothing());
+        }
+        let opened = self.open_at_end()?;
+        if opened.end.last.is_none() {
+            return Err(nothing());
+        }
+        // Before the record: where nothing can be moved to, nothing is closed.
         self.disk.create_dir(folder)?;
+        let (sealed, locked) = self.append_to(opened, key, make, |_, _| Ok(())).inspect_err(|_| {
+            let _ = self.disk.remove_dir(folder);
+        })?;
         let moved = folder.join(self.path.file_name().unwrap_or_default());
         // The head first: a kill between the two leaves a ledger without a head, which the next append makes anew.
         if self.head_path().exists() {
@@ -130,8 +176,7 @@ impl Ledger {
         for folder in [Some(folder), self.path.parent()].into_iter().flatten() {
             self.disk.sync_dir(folder)?;
         }
-        drop(lock);
-        Ok(moved)
+        Ok(checkpoint::Checkpoint::of(&locked.end.tree, &sealed.statement))
     }
 
     fn head_path(&self) -> PathBuf {

@@ -289,7 +289,9 @@ impl<'a> Walk<'a> {
             self.tree.push(leaf);
         }
         self.compare_with_anchors(&p.chain.ledger_id, p.chain.seq);
-        self.marking = statement.marking().map(|m| self.marking.map_or(m, |j| j.join(m))).or(self.marking);
+        if let Some(m) = statement.marking() {
+            self.marking = Some(self.marking.take().map_or_else(|| m.clone(), |j| j.join(&m)));
+        }
         self.before = Some(statement);
     }
 
@@ -341,7 +343,7 @@ impl<'a> Walk<'a> {
             self.report.trail_hash = None;
             self.report.time = None;
         }
-        self.report.marking = self.marking.filter(|_| self.all_signed).map(|m| m.banner().to_owned());
+        self.report.marking = self.marking.take().filter(|_| self.all_signed).map(|m| m.banner());
         if self.report.anchored_through != last {
             self.find(Finding::new("TAIL_UNANCHORED", "ledger"));
             if self.request.require_anchor {

@@ -9,13 +9,15 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::path::PathBuf;
 
-use super::canonical::{self, Json};
+use super::canonical;
 use super::checkpoint::Proof;
 use super::disk::{self, Disk};
 use super::inband;
 use super::keys::SigningKey;
 use super::ledger::Ledger;
-use super::marking::Marking;
+use super::marking::authority::{Authority, Designation};
+use super::marking::handling::Handling;
+use super::marking::{Ism, Profile};
 use super::record::{self, RecordDraft, Sealed};
 use super::statement::{Outcome, Subject};
 use super::store_merge::PreparedMerge;
@@ -46,9 +48,23 @@ pub struct Destination {
     pub folder: PathBuf,
     /// A folder that Orb published before may be replaced.
     pub replace: bool,
-    pub marking: Marking,
+    pub handling: Handling,
     /// Makes the staging folder's name unlike any other's.
     pub nonce: u64,
+}
+
+/// `orb-marking.json`.
+#[derive(serde::Serialize)]
+struct Sidecar<'a> {
+    schema: &'a str,
+    profile: Profile,
+    banner: String,
+    ism: Ism,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    authority: Option<&'a Authority>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cui_block: Option<&'a Designation>,
+    applies_to: Vec<&'a str>,
 }
 
 /// A folder in the making. Dropped without [`Publication::seal`], nothing of it remains.
@@ -56,7 +72,7 @@ pub struct Destination {
 pub struct Publication {
     destination: PathBuf,
     staging: PathBuf,
-    marking: Marking,
+    handling: Handling,
     subjects: Vec<Subject>,
     /// Lower-case names of files and folders, against names that differ in case only.
     names: BTreeSet<String>,
@@ -122,7 +138,7 @@ impl Publication {
         let mut publication = Publication {
             destination: folder,
             staging,
-            marking: to.marking,
+            handling: to.handling.clone(),
             subjects: Vec::new(),
             names: BTreeSet::new(),
             merge: None,
@@ -141,9 +157,10 @@ impl Publication {
     /// [`crate::Kind::Policy`], `MARKING_INBAND_MISMATCH`, for a file that carries another marking inside, or none where
     /// its format has a place for it; [`crate::Kind::Environment`] when it cannot be written.
     pub fn add(&mut self, path: &str, bytes: &[u8], media_type: &'static str, role: &str) -> Result<()> {
-        if let Some(found) = inband::mismatch(path, bytes, self.marking) {
+        let marking = &self.handling.marking;
+        if let Some(found) = inband::mismatch(path, bytes, marking) {
             return Err(Error::policy(path)
-                .expected(self.marking.line())
+                .expected(marking.line())
                 .found(format!("MARKING_INBAND_MISMATCH: {found}"))
                 .advice("Nothing was published."));
         }
@@ -198,8 +215,9 @@ impl Publication {
     /// [`crate::Kind::Policy`] for a marking below an input's; [`crate::Kind::Integrity`] for a broken ledger;
     /// [`crate::Kind::Environment`] for the disk. The destination and the store are then as they were.
     pub fn seal(mut self, draft: &RecordDraft, key: &SigningKey, ledger: &mut Ledger) -> Result<Published> {
-        if draft.marking != self.marking {
-            return Err(Error::policy("classification").expected(self.marking.banner()).found(draft.marking.banner()));
+        if draft.handling != self.handling {
+            let (of_files, of_record) = (&self.handling.marking, &draft.handling.marking);
+            return Err(Error::policy("classification").expected(of_files.banner()).found(of_record.banner()));
         }
         draft.check_marking()?;
         let sidecar = self.sidecar()?;
@@ -295,17 +313,19 @@ impl Publication {
     }
 
     fn sidecar(&self) -> Result<Vec<u8>> {
-        let text = |t: &str| Json::Text(t.to_owned());
-        let map = |entries: Vec<(&str, Json)>| Json::Map(entries.into_iter().map(|(k, v)| (k.to_owned(), v)).collect());
+        let Handling { marking, profile, authority, designation, .. } = &self.handling;
         let mut names: Vec<&str> = self.subjects.iter().map(|s| s.name.as_str()).collect();
         names.sort_unstable();
-        let value = map(vec![
-            ("schema", text("orb.marking/v1")),
-            ("banner", text(self.marking.banner())),
-            ("ism", map(vec![("classification", text(self.marking.ism_classification()))])),
-            ("applies_to", Json::List(names.into_iter().map(text).collect())),
-        ]);
-        let mut bytes = canonical::to_vec(&value)
+        let sidecar = Sidecar {
+            schema: "orb.marking/v1",
+            profile: *profile,
+            banner: marking.banner(),
+            ism: marking.ism(),
+            authority: authority.as_ref(),
+            cui_block: designation.as_ref(),
+            applies_to: names,
+        };
+        let mut bytes = canonical::to_vec(&sidecar)
             .map_err(|f| Error::usage(MARKING_SIDECAR).found(format!("{}: {}", f.code(), f.detail())))?;
         bytes.push(b'\n');
         Ok(bytes)

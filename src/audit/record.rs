@@ -6,9 +6,10 @@ use super::canonical::{Fault, sha256_hex};
 use super::dsse::{Envelope, PAYLOAD_TYPE, Signature};
 use super::keys::{self, SigningKey};
 use super::marking::Marking;
+use super::marking::handling::{Handling, check_not_below};
 use super::statement::{
-    Actor, Annotations, Chain, Crypto, Digests, Event, EventSource, Input, Ism, MarkingBlock, Model, Outcome, Param,
-    Place, Predicate, STATEMENT_TYPE, Statement, Subject, Time, Tool,
+    Actor, Annotations, Chain, Crypto, Digests, Event, EventSource, Input, MarkingBlock, Model, Outcome, Param, Place,
+    Predicate, STATEMENT_TYPE, Statement, Subject, Time, Tool,
 };
 use super::statement::{PREDICATE_TYPE, SCHEMA};
 use super::time::TimeReading;
@@ -30,11 +31,28 @@ pub struct RecordDraft {
     pub models: Vec<Model>,
     pub params: BTreeMap<String, Param>,
     pub tool: Tool,
-    pub marking: Marking,
+    pub handling: Handling,
     pub notes: Option<String>,
 }
 
 impl RecordDraft {
+    /// Of something that happened without inputs and outputs, by this program for this user.
+    pub fn event(kind: &str, command: &str, time: TimeReading, random: [u8; 10], handling: Handling) -> RecordDraft {
+        RecordDraft {
+            event_type: kind.into(),
+            time,
+            event_random: random,
+            operator_id: operator_from(|name| std::env::var(name).ok()),
+            command: command.into(),
+            inputs: Vec::new(),
+            models: Vec::new(),
+            params: BTreeMap::new(),
+            tool: Tool::of_this_binary(),
+            handling,
+            notes: None,
+        }
+    }
+
     /// The join of the inputs' markings; `None` when no input carries one.
     ///
     /// # Errors
@@ -43,7 +61,7 @@ impl RecordDraft {
         let mut join: Option<Marking> = None;
         for banner in self.inputs.iter().filter_map(|i| i.marking.as_deref()) {
             let level = Marking::parse(banner)?;
-            join = Some(join.map_or(level, |j| j.join(level)));
+            join = Some(join.map_or_else(|| level.clone(), |j| j.join(&level)));
         }
         Ok(join)
     }
@@ -53,15 +71,7 @@ impl RecordDraft {
     /// # Errors
     /// [`crate::Kind::Policy`], `MARKING_DOWNGRADE`.
     pub fn check_marking(&self) -> Result<()> {
-        match self.inputs_join()? {
-            Some(join) if self.marking < join => Err(Error::policy("classification")
-                .expected(format!("{join} or above, which an input carries"))
-                .found(format!("MARKING_DOWNGRADE: {}", self.marking))
-                .advice(
-                    "A product is never marked below its inputs. Only the inputs' owner can change their marking.",
-                )),
-            _ => Ok(()),
-        }
+        self.inputs_join()?.map_or(Ok(()), |join| check_not_below(&self.handling.marking, &join))
     }
 }
 
@@ -91,6 +101,7 @@ pub fn seal(
     draft.check_marking()?;
     let id = uuid_v7(draft.time.unix_ms, draft.event_random);
     let fingerprint = key.public().fingerprint().to_owned();
+    let Handling { marking, profile, raised_reason, authority, designation } = draft.handling.clone();
     let chain = place.unwrap_or_else(|| Chain {
         ledger_id: ledger_id(&id, &fingerprint),
         seq: 0,
@@ -102,7 +113,7 @@ pub fn seal(
         predicate_type: PREDICATE_TYPE.into(),
         predicate: Predicate {
             schema: SCHEMA.into(),
-            schema_minor: 0,
+            schema_minor: u32::from(authority.is_some() || designation.is_some()),
             event: Event { id, kind: draft.event_type.clone(), outcome, error_code: error_code.map(str::to_owned) },
             chain,
             time: Time {
@@ -131,11 +142,13 @@ pub fn seal(
                 fips_mode: aws_lc_rs::try_fips_mode().is_ok(),
             },
             marking: MarkingBlock {
-                profile: "dod".into(),
-                banner: draft.marking.banner().into(),
-                ism: Ism { classification: draft.marking.ism_classification().into() },
-                inputs_join: draft.inputs_join()?.map(|m| m.banner().into()),
-                raised_reason: None,
+                profile,
+                banner: marking.banner(),
+                ism: marking.ism(),
+                inputs_join: draft.inputs_join()?.map(|m| m.banner()),
+                raised_reason,
+                authority,
+                cui_block: designation,
             },
             notes: draft.notes.clone(),
             trail_hash: None,
@@ -175,7 +188,7 @@ pub fn input(name: &str, bytes: &[u8], media_type: &str, role: &str, marking: Op
         size: bytes.len() as u64,
         media_type: media_type.into(),
         role: role.into(),
-        marking: marking.map(|m| m.banner().into()),
+        marking: marking.map(|m| m.banner()),
     }
 }
 
@@ -266,7 +279,7 @@ pub(crate) mod tests {
                 ("refined".into(), Param::Bool(true)),
             ]),
             tool: Tool { name: "orb".into(), version: "0.1.0".into(), ..Tool::default() },
-            marking: Marking::Unclassified,
+            handling: Marking::UNCLASSIFIED.into(),
             notes: None,
         }
     }
@@ -327,7 +340,7 @@ pub(crate) mod tests {
         let error = sealed(&d).unwrap_err();
         assert_eq!(error.kind, Kind::Policy);
         assert!(error.found.contains("MARKING_DOWNGRADE"));
-        d.marking = Marking::Secret;
+        d.handling.marking = Marking::SECRET;
         let s = sealed(&d).unwrap();
         assert_eq!(s.statement.predicate.marking.inputs_join.as_deref(), Some("CUI"));
         assert_eq!(s.statement.predicate.marking.ism.classification, "S");

@@ -2,7 +2,7 @@
 
 use super::dsse::Envelope;
 use super::keys::{ADVISED_BITS, ALGORITHM, PublicKey};
-use super::marking::Marking;
+use super::marking::{Ism, Marking};
 use super::record;
 use super::report::Finding;
 use super::statement::{GENESIS, Statement};
@@ -133,11 +133,12 @@ fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
         found.push(unsupported("marking.banner", &block.banner));
         return;
     };
-    if block.ism.classification != marking.ism_classification() {
+    if block.ism != marking.ism() {
+        let words = |ism: &Ism| serde_json::to_string(ism).unwrap_or_default();
         found.push(
-            Finding::new("MARKING_INBAND_MISMATCH", "marking.ism.classification")
-                .expected(marking.ism_classification())
-                .actual(&block.ism.classification),
+            Finding::new("MARKING_INBAND_MISMATCH", "marking.ism")
+                .expected(words(&marking.ism()))
+                .actual(words(&block.ism)),
         );
     }
     let sources =
@@ -145,8 +146,8 @@ fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
     for text in sources {
         match Marking::parse(text) {
             Err(_) => found.push(unsupported("inputs.marking", text)),
-            Ok(level) if level > marking => found.push(
-                Finding::new("MARKING_DOWNGRADE", "marking.banner").expected(level.banner()).actual(marking.banner()),
+            Ok(input) if !marking.covers(&input) => found.push(
+                Finding::new("MARKING_DOWNGRADE", "marking.banner").expected(input.banner()).actual(marking.banner()),
             ),
             Ok(_) => {}
         }

@@ -33,13 +33,24 @@ impl Verdict {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+/// Worst first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     Error,
     Warning,
     /// Worth knowing; says what was not checked.
     Note,
+}
+
+impl Severity {
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        }
+    }
 }
 
 /// One thing that was found. Codes are never reused for another meaning.
@@ -336,12 +347,7 @@ impl Report {
 
 impl std::fmt::Display for Finding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let severity = match self.severity {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-            Severity::Note => "note",
-        };
-        writeln!(f, "{severity} {}: {}", self.code, self.subject)?;
+        writeln!(f, "{} {}: {}", self.severity.name(), self.code, self.subject)?;
         for (name, value) in [("expected", &self.expected), ("found", &self.actual)] {
             if !value.is_empty() {
                 writeln!(f, "    {name:<9}{value}")?;

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use super::canonical::{self, Fault, Json};
 use super::marking::Marking;
+use super::marking::authority::{Authority, Designation};
+pub use super::marking::{Ism, Profile};
 use super::time;
 use super::time::{Source, SyncStatus};
 
@@ -237,21 +239,21 @@ pub struct Crypto {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MarkingBlock {
-    pub profile: String,
+    pub profile: Profile,
     pub banner: String,
     pub ism: Ism,
     /// The join of the inputs' markings, where any of them is marked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inputs_join: Option<String>,
+    /// Why the product is marked above its inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub raised_reason: Option<String>,
-}
-
-/// Attribute names of the IC-ISM vocabulary; not a conformant ISM.XML document.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ism {
-    pub classification: String,
+    /// Of classified work; since minor version 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub authority: Option<Authority>,
+    /// Designation indicator block of CUI; since minor version 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cui_block: Option<Designation>,
 }
 
 impl Statement {

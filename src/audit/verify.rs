@@ -215,6 +215,7 @@ fn prove(bytes: &[u8], trust: &TrustStore, statement: &Statement, found: &mut Ve
 
 fn check_files(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<Counts> {
     let marking = statement.marking();
+    let marking = marking.as_ref();
     let mut counts = Counts {
         outputs_listed: statement.subject.len() as u64,
         inputs_listed: statement.predicate.inputs.len() as u64,
@@ -248,7 +249,7 @@ fn check_output(
     root: &Path,
     name: &str,
     subject: &Subject,
-    marking: Option<Marking>,
+    marking: Option<&Marking>,
     found: &mut Vec<Finding>,
 ) -> Result<()> {
     if let Err(why) = disk::check_name(name) {

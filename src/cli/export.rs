@@ -8,10 +8,10 @@ use clap::{Args, ValueEnum};
 
 use super::bar::Bar;
 use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
-use crate::audit::inband::{self, Carried};
 use crate::audit::statement::Param;
-use crate::audit::{Marking, record, time};
+use crate::audit::{record, time};
 use crate::export::Labels;
 use crate::export::import::{self, Imported, SplatAxes};
 use crate::geo::{Geodetic, HeadingSource, Placement, parse_point};
@@ -101,10 +101,8 @@ pub struct ExportArgs {
     #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
     pub facc: String,
 
-    /// UNCLASSIFIED, CUI, SECRET or TOP SECRET. Default: the input's own marking, else UNCLASSIFIED; never below the
-    /// input's.
-    #[arg(long, value_name = "BANNER")]
-    pub classification: Option<String>,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
 
     /// Signing key (PKCS#8 PEM). Needed for CUI and above.
     #[arg(long, value_name = "FILE")]
@@ -131,9 +129,11 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let bytes = std::fs::read(&args.input).map_err(|e| Error::io(&args.input, &e))?;
     let name = args.input.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let stem = safe_stem(&args.input);
-    let (own, marking) = markings(&name, &bytes, args.classification.as_deref())?;
+    let own = marking::carried(&name, &bytes)?;
+    let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
+    let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    let mut run = SealedRun::begin(&output, args.replace, marking, args.key.as_deref(), args.quiet)?;
+    let mut run = SealedRun::begin(&output, args.replace, handling, args.key.as_deref(), args.quiet)?;
     let store = args.cdb.as_deref().map(OpenStore::open).transpose()?;
     let bar = Bar::new(stop, args.quiet);
 
@@ -152,7 +152,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let reading = time::now()?;
     let labels = Labels {
         stem,
-        marking,
+        marking: product.clone(),
         utc: reading.utc(),
         facc,
         fsc,
@@ -180,7 +180,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     bar.finish();
     if !args.quiet {
         let o = &placement.origin;
-        println!("{}\n{} files in {}", marking.banner(), published.outputs.len(), published.folder.display());
+        println!("{}\n{} files in {}", product.banner(), published.outputs.len(), published.folder.display());
         println!("at {}, {}, {} m, heading {}°", o.latitude, o.longitude, o.height, placement.heading);
         let sizes: Vec<String> = imported.levels.iter().map(|l| l.mesh.triangles.len().to_string()).collect();
         if !sizes.is_empty() {
@@ -194,18 +194,6 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         }
     }
     Ok(0)
-}
-
-/// The input's own marking, and the output's.
-fn markings(name: &str, bytes: &[u8], given: Option<&str>) -> Result<(Option<Marking>, Marking)> {
-    let own = match inband::read(name, bytes) {
-        Carried::Banners(banners) => {
-            Some(Marking::join_all(banners.iter().map(|b| Marking::parse(b)).collect::<Result<Vec<_>>>()?))
-        }
-        Carried::Nothing { .. } | Carried::NoCarrier => None,
-    };
-    let banner = given.unwrap_or_else(|| own.unwrap_or(Marking::Unclassified).banner());
-    Ok((own, Marking::parse_for_output(banner)?))
 }
 
 /// Any way of writing a point that `orb geo` takes, with a height above the ellipsoid.

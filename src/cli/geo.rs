@@ -19,11 +19,12 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::marking::{self, MarkingArgs};
 use super::networks::{self, NetworkArgs};
 use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
-use crate::audit::{DataFolder, Marking, record, time};
+use crate::audit::{DataFolder, record, time};
 use crate::export::{self, Labels};
 use crate::geo::magnetic;
 use crate::models::{Engine, Rten, prior};
@@ -102,9 +103,8 @@ pub struct GeoArgs {
     #[arg(long, value_name = "STORE")]
     pub cdb: Option<PathBuf>,
 
-    /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
-    #[arg(long, value_name = "BANNER", default_value = "UNCLASSIFIED")]
-    pub classification: String,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
 
     /// Signing key (PKCS#8 PEM). Needed for CUI and above; below that a key is made on the first run.
     #[arg(long, value_name = "FILE")]
@@ -210,7 +210,6 @@ pub(super) fn steps(quality: Quality, threads: usize, gpu: bool) -> u32 {
 /// Arguments that need no photo to be judged.
 struct Plan {
     wanted: options::Wanted,
-    marking: Marking,
     facc: String,
     fsc: u16,
     photo: PathBuf,
@@ -223,15 +222,7 @@ fn plan(args: &GeoArgs) -> Result<Plan> {
     let (facc, fsc) = feature_code(&args.facc)?;
     let stem = args.stem.clone().unwrap_or_else(|| safe_stem(&photo));
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    Ok(Plan {
-        wanted: options::wanted(&args.place, &args.size)?,
-        marking: Marking::parse_for_output(&args.classification)?,
-        facc,
-        fsc,
-        photo,
-        stem,
-        output,
-    })
+    Ok(Plan { wanted: options::wanted(&args.place, &args.size)?, facc, fsc, photo, stem, output })
 }
 
 fn texture_size(text: &str) -> std::result::Result<u32, String> {
@@ -273,8 +264,12 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let name = plan.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &photo_limits)?;
     plan.wanted.check(&photo.exif)?;
+    let carried = marking::carried(&name, &bytes)?;
+    let inputs = [vec![carried.clone()], plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
+    let handling = args.marking.decide(&inputs, &time::now()?.utc())?;
+    let product = handling.marking.clone();
 
-    let mut run = SealedRun::begin(&plan.output, args.replace, plan.marking, args.key.as_deref(), args.quiet)?;
+    let mut run = SealedRun::begin(&plan.output, args.replace, handling, args.key.as_deref(), args.quiet)?;
     let store = match &args.cdb {
         Some(root) => Some(OpenStore::open(root)?),
         None => None,
@@ -314,7 +309,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     placed.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
     let labels = Labels {
         stem: plan.stem.clone(),
-        marking: plan.marking,
+        marking: product.clone(),
         utc: reading.utc(),
         facc: plan.facc.clone(),
         fsc: plan.fsc,
@@ -344,7 +339,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         args.format.iter().copied().filter(|f| !matches!(f, Format::Kmz | Format::Ply)).collect();
     let store_model = format::publish(&formats, &content, store, &mut run.publication)?;
     bar.check()?;
-    let preview = export::preview_png(&photo.pixels, &done, plan.marking)?;
+    let preview = export::preview_png(&photo.pixels, &done, &product)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
     sidecars::publish(&mut run.publication, &labels, &placed, &done, args.format.contains(&Format::Kmz))?;
     bar.check()?;
@@ -354,7 +349,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         command: "orb geo",
         time: reading,
         inputs: [
-            vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
+            vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
             chosen.inputs,
             placed.inputs.clone(),
         ]
@@ -370,7 +365,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         writing: writing.elapsed(),
         total: started.elapsed(),
         placed: &placed,
-        marking: plan.marking,
+        marking: &product,
         time: &reading,
         store_model: store_model.as_deref(),
         steps_planned: settings.iterations,

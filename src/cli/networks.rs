@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::marking;
 use crate::audit::statement::Input;
-use crate::audit::{DataFolder, record};
+use crate::audit::{DataFolder, Marking, record};
 use crate::models::engine::discovery::Search;
 use crate::models::engine::{self, Choice, Engine, Provider, Rten};
 use crate::models::registry::{Manifest, Registry, Stage};
@@ -92,6 +93,18 @@ pub struct Chosen {
     pub inputs: Vec<Input>,
 }
 
+/// What the mask and the six views that are given are marked.
+///
+/// # Errors
+/// As [`marking::carried`]; a file that cannot be read.
+pub fn carried(args: &NetworkArgs) -> Result<Vec<Option<Marking>>> {
+    let of = |path: &PathBuf| {
+        let bytes = crate::audit::disk::read_limited(path, photo::Limits::default().file_bytes)?;
+        marking::carried(&path.file_name().unwrap_or_default().to_string_lossy(), &bytes)
+    };
+    args.mask.iter().chain(&args.views).map(of).collect()
+}
+
 /// Judges the options, hashes the networks that will run, opens the engine where there are any.
 ///
 /// # Errors
@@ -111,7 +124,7 @@ pub fn choose(
         let bytes = crate::audit::disk::read_limited(path, limits.file_bytes)?;
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let picture = photo::decode(&name, &bytes, &limits)?;
-        inputs.push(record::input(&name, &bytes, picture.media_type, role, None));
+        inputs.push(record::input(&name, &bytes, picture.media_type, role, marking::carried(&name, &bytes)?));
         Ok(picture)
     };
     let given_mask = match &args.mask {

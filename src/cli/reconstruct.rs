@@ -9,9 +9,10 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::geo::{self, Quality};
+use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
 use crate::audit::statement::Param;
-use crate::audit::{Marking, record, time};
+use crate::audit::{record, time};
 use crate::models::Rten;
 use crate::pipeline::{self, Settings};
 use crate::progress::Progress;
@@ -30,9 +31,8 @@ pub struct Reconstruct {
     /// Replace a folder that Orb published earlier.
     #[arg(long)]
     pub replace: bool,
-    /// UNCLASSIFIED, CUI, SECRET or TOP SECRET.
-    #[arg(long, value_name = "BANNER", default_value = "UNCLASSIFIED")]
-    pub classification: String,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
     /// Signing key (PKCS#8 PEM). Needed for CUI and above.
     #[arg(long, value_name = "FILE")]
     pub key: Option<PathBuf>,
@@ -62,10 +62,12 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let bytes = geo::read_photo(&args.photo, limits.file_bytes)?;
     let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let photo = photo::decode(&name, &bytes, &limits)?;
-    let marking = Marking::parse_for_output(&args.classification)?;
     let kept = args.kept.open()?;
+    let carried = marking::carried(&name, &bytes)?;
+    let handling = args.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
+    let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
-    let mut sealed = SealedRun::begin(&output, args.replace, marking, args.key.as_deref(), args.quiet)?;
+    let mut sealed = SealedRun::begin(&output, args.replace, handling, args.key.as_deref(), args.quiet)?;
     let gpu = args.device.open_quietly(&mut |line| {
         if !args.quiet {
             eprintln!("orb: {line}");
@@ -88,9 +90,9 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
     let done = pipeline::fit(&photo, &Rten, &Sources::default(), fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
-    let scene = export::unit_ply(&done.gaussians, marking)?;
+    let scene = export::unit_ply(&done.gaussians, &product)?;
     sealed.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
-    let preview = export::fitted_png(&photo.pixels, &done, marking)?;
+    let preview = export::fitted_png(&photo.pixels, &done, &product)?;
     sealed.publication.add("preview.png", &preview, "image/png", "preview")?;
     bar.check()?;
     let report = &done.report;
@@ -98,7 +100,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         event_type: "scene.reconstruct",
         command: "orb reconstruct",
         time: time::now()?,
-        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", None)],
+        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
         models: geo::models(&done.sources, &report.device),
         params: BTreeMap::from([
             ("seed".into(), Param::Text(args.seed.to_string())),
@@ -114,7 +116,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
             done.timings().iter().map(|t| format!("{} {:.1} s", t.stage, t.time.as_secs_f64())).collect();
         println!(
             "marking      {}\npublished    {}\nGaussians    {} after {} steps on {}\nstages       {}\nused         {:.1} s",
-            marking.banner(),
+            product.banner(),
             published.folder.display(),
             done.gaussians.len(),
             report.iterations,

@@ -11,10 +11,11 @@ use serde_json::json;
 use super::bar::Bar;
 use super::cameras;
 use super::device::Device;
+use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
-use crate::audit::inband::{self, Carried};
+use crate::audit::inband;
 use crate::audit::statement::Param;
-use crate::audit::{Marking, record, time};
+use crate::audit::{record, time};
 use crate::export::import::gaussians;
 use crate::progress::Progress;
 use crate::splat::render::gpu::{Renderer, Scene};
@@ -50,9 +51,8 @@ pub struct Render {
     pub background: Vec<f32>,
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
-    /// Marking of the pictures. Default: the scene's own, else UNCLASSIFIED; never below the scene's.
-    #[arg(long, value_name = "BANNER")]
-    pub classification: Option<String>,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
     /// Signing key (PKCS#8 PEM). Needed for CUI and above.
     #[arg(long, value_name = "FILE")]
     pub key: Option<PathBuf>,
@@ -68,18 +68,11 @@ pub struct Render {
 pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     let bytes = std::fs::read(&args.scene).map_err(|e| Error::io(&args.scene, &e))?;
     let name = args.scene.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let own = match inband::read(&name, &bytes) {
-        Carried::Banners(banners) => {
-            Some(Marking::join_all(banners.iter().map(|b| Marking::parse(b)).collect::<Result<Vec<_>>>()?))
-        }
-        Carried::Nothing { .. } | Carried::NoCarrier => None,
-    };
-    let marking = match &args.classification {
-        Some(banner) => Marking::parse_for_output(banner)?,
-        None => Marking::parse_for_output(own.unwrap_or(Marking::Unclassified).banner())?,
-    };
+    let own = marking::carried(&name, &bytes)?;
+    let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
+    let product = handling.marking.clone();
     let input = record::input(&name, &bytes, "application/ply", "scene", own);
-    let mut sealed = SealedRun::begin(&args.output, args.replace, marking, args.key.as_deref(), args.quiet)?;
+    let mut sealed = SealedRun::begin(&args.output, args.replace, handling, args.key.as_deref(), args.quiet)?;
     let bar = Bar::new(stop, args.quiet);
     let mut say = |line: &str| {
         if !args.quiet {
@@ -88,7 +81,7 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     };
     let mut put = |file: &str, bytes: &[u8]| {
         if file.ends_with(".png") {
-            sealed.publication.add(file, &inband::mark_png(bytes, marking), "image/png", "picture")
+            sealed.publication.add(file, &inband::mark_png(bytes, &product), "image/png", "picture")
         } else {
             sealed.publication.add(file, bytes, "application/json", "cameras")
         }
@@ -107,7 +100,7 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     })?;
     bar.finish();
     if !args.quiet {
-        println!("{}\n{} files in {}", marking.banner(), published.outputs.len(), published.folder.display());
+        println!("{}\n{} files in {}", product.banner(), published.outputs.len(), published.folder.display());
     }
     Ok(0)
 }
@@ -252,7 +245,7 @@ mod tests {
             normals: true,
             background: vec![0.0; 3],
             device: Device::Cpu,
-            classification: None,
+            marking: MarkingArgs::default(),
             key: None,
             replace: false,
             quiet: true,

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::audit::record::operator_from;
-use crate::audit::statement::{Input, Model, Param, Tool};
-use crate::audit::{DataFolder, Destination, Ledger, Marking, Publication, Published, RecordDraft, SigningKey};
+use crate::audit::marking::handling::Handling;
+use crate::audit::statement::{Input, Model, Param};
+use crate::audit::{DataFolder, Destination, Ledger, Publication, Published, RecordDraft, SigningKey};
 use crate::audit::{TimeReading, keys};
 use crate::{Error, Result};
 
@@ -13,7 +13,7 @@ use crate::{Error, Result};
 pub struct SealedRun {
     data: DataFolder,
     key: SigningKey,
-    marking: Marking,
+    handling: Handling,
     event_random: [u8; 10],
     pub publication: Publication,
 }
@@ -33,9 +33,15 @@ impl SealedRun {
     ///
     /// # Errors
     /// As [`keys::for_marking`] and [`Publication::begin`].
-    pub fn begin(folder: &Path, replace: bool, marking: Marking, key: Option<&Path>, quiet: bool) -> Result<SealedRun> {
+    pub fn begin(
+        folder: &Path,
+        replace: bool,
+        handling: Handling,
+        key: Option<&Path>,
+        quiet: bool,
+    ) -> Result<SealedRun> {
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-        let key = keys::for_marking(&data, marking, key)?;
+        let key = keys::for_marking(&data, &handling.marking, key)?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");
         }
@@ -50,9 +56,9 @@ impl SealedRun {
         random(&mut event_random)?;
         random(&mut nonce)?;
         let nonce = u64::from_le_bytes(nonce);
-        let destination = Destination { folder: folder.to_owned(), replace, marking, nonce };
+        let destination = Destination { folder: folder.to_owned(), replace, handling: handling.clone(), nonce };
         let publication = Publication::begin(&destination)?;
-        Ok(SealedRun { data, key: key.key, marking, event_random, publication })
+        Ok(SealedRun { data, key: key.key, handling, event_random, publication })
     }
 
     /// Signs, appends to the ledger, publishes.
@@ -60,18 +66,12 @@ impl SealedRun {
     /// # Errors
     /// As [`Publication::seal`].
     pub fn seal(self, evidence: Evidence) -> Result<Published> {
+        let Evidence { event_type, command, time, inputs, models, params } = evidence;
         let draft = RecordDraft {
-            event_type: evidence.event_type.into(),
-            time: evidence.time,
-            event_random: self.event_random,
-            operator_id: operator_from(|name| std::env::var(name).ok()),
-            command: evidence.command.into(),
-            inputs: evidence.inputs,
-            models: evidence.models,
-            params: evidence.params,
-            tool: Tool::of_this_binary(),
-            marking: self.marking,
-            notes: None,
+            inputs,
+            models,
+            params,
+            ..RecordDraft::event(event_type, command, time, self.event_random, self.handling)
         };
         let mut ledger = Ledger::open(&self.data)?;
         self.publication.seal(&draft, &self.key, &mut ledger)

@@ -19,7 +19,7 @@ pub struct Summary<'a> {
     pub writing: Duration,
     pub total: Duration,
     pub placed: &'a Placed,
-    pub marking: Marking,
+    pub marking: &'a Marking,
     pub time: &'a TimeReading,
     /// Name of the model in the CDB store.
     pub store_model: Option<&'a str>,
@@ -41,7 +41,7 @@ pub fn text(s: &Summary) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{name:<12} {words}");
     };
-    line("marking", s.marking.banner().into());
+    line("marking", s.marking.banner());
     line("published", s.published.folder.display().to_string());
     if let Some(model) = s.store_model {
         line("model", format!("{model} in the CDB store"));

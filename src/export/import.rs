@@ -225,7 +225,7 @@ mod tests {
     fn labels() -> Labels {
         Labels {
             stem: "s".into(),
-            marking: Marking::Cui,
+            marking: Marking::CUI,
             utc: "2026-11-21T04:05:06.789Z".into(),
             facc: "UA005".into(),
             fsc: 0,

@@ -88,7 +88,7 @@ fn to_earth(placement: &Placement) -> [f64; 16] {
 }
 
 fn asset(level: &PlacedLevel, placement: &Placement, labels: &Labels) -> Result<Asset> {
-    let png = marked_png(&level.texture.clone().into(), labels.marking)?;
+    let png = marked_png(&level.texture.clone().into(), &labels.marking)?;
     Ok(Asset {
         name: labels.stem.clone(),
         parts: vec![Part { mesh: level.mesh.clone(), material: Some(0) }],
@@ -132,7 +132,7 @@ mod tests {
     fn labels() -> Labels {
         Labels {
             stem: "car".into(),
-            marking: Marking::Cui,
+            marking: Marking::CUI,
             utc: "2026-11-21T04:05:06.789Z".into(),
             facc: "UA005".into(),
             fsc: 0,
@@ -158,8 +158,8 @@ mod tests {
         assert_eq!(tileset.root.content.as_deref(), Some("lod1.glb"));
         assert_eq!(tileset.label.marking, "CLASSIFICATION: CUI");
         for file in &files {
-            assert_eq!(inband::mismatch(&file.path, &file.bytes, Marking::Cui), None, "{}", file.path);
-            assert!(inband::mismatch(&file.path, &file.bytes, Marking::Secret).is_some(), "{}", file.path);
+            assert_eq!(inband::mismatch(&file.path, &file.bytes, &Marking::CUI), None, "{}", file.path);
+            assert!(inband::mismatch(&file.path, &file.bytes, &Marking::SECRET).is_some(), "{}", file.path);
         }
     }
 
@@ -174,7 +174,7 @@ mod tests {
         }
         let package = usdz(&levels, &placement(), &labels()).unwrap();
         assert_eq!(usdz::read(&package.bytes).unwrap().parts[0].mesh.uvs, levels[0].mesh.uvs);
-        assert_eq!(inband::mismatch(&package.path, &package.bytes, Marking::Cui), None);
-        assert!(inband::mismatch(&package.path, &package.bytes, Marking::Unclassified).is_some());
+        assert_eq!(inband::mismatch(&package.path, &package.bytes, &Marking::CUI), None);
+        assert!(inband::mismatch(&package.path, &package.bytes, &Marking::UNCLASSIFIED).is_some());
     }
 }

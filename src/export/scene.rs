@@ -32,7 +32,7 @@ pub fn scene_ply(g: &Gaussians, placement: &Placement, labels: &Labels) -> Resul
 }
 
 /// Gaussians of the unit frame as `scene.ply`, neither placed nor scaled, the marking first in the header.
-pub fn unit_ply(g: &Gaussians, marking: Marking) -> Result<File> {
+pub fn unit_ply(g: &Gaussians, marking: &Marking) -> Result<File> {
     let comments = [
         marking.line(),
         "frame: unit, right-handed, Z up, +Y where the camera pointed, the subject's bounding sphere of radius 1"

@@ -127,11 +127,6 @@ fn findings(found: &[Finding]) -> Section {
     if found.is_empty() {
         return Section { title: "Findings", blocks: vec![Block::Text("None.".into())] };
     }
-    let severity = |s: Severity| match s {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
-    };
     let mut rows: Vec<(Severity, Vec<String>)> = found
         .iter()
         .map(|f| {
@@ -140,16 +135,12 @@ fn findings(found: &[Finding]) -> Section {
                 .filter(|(_, text)| !text.is_empty())
                 .map(|(name, text)| format!("{name} {text}"));
             let seq = f.seq.map(|n| n.to_string()).unwrap_or_default();
-            let words = [severity(f.severity).into(), f.code.into(), seq, f.subject.clone()];
+            let words = [f.severity.name().into(), f.code.into(), seq, f.subject.clone()];
             let more = [detail.collect::<Vec<_>>().join("; "), f.hint.clone()];
             (f.severity, words.into_iter().chain(more).collect())
         })
         .collect();
-    rows.sort_by_key(|(severity, _)| match severity {
-        Severity::Error => 0,
-        Severity::Warning => 1,
-        Severity::Note => 2,
-    });
+    rows.sort_by_key(|(severity, _)| *severity);
     let head = vec!["Severity", "Code", "Record", "Where", "What", "Meaning, what to do"];
     table("Findings", head, rows.into_iter().map(|(_, row)| row).collect())
 }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::named_uuid;
 use crate::audit::publication::RECORD;
-use crate::audit::report::{Finding, Report, Severity};
+use crate::audit::report::{Finding, Report};
 use crate::audit::statement::Statement;
 
 /// The version of the OSCAL models that the file follows.
@@ -94,12 +94,7 @@ fn observation(uuid: &str, title: &str, description: &str, collected: &str) -> V
 }
 
 fn sentence(finding: &Finding) -> String {
-    let severity = match finding.severity {
-        Severity::Error => "Error",
-        Severity::Warning => "Warning",
-        Severity::Note => "Note",
-    };
-    let mut text = format!("{severity} at {}.", finding.subject);
+    let mut text = format!("Severity {}, at {}.", finding.severity.name(), finding.subject);
     for (name, value) in [("Expected", &finding.expected), ("Found", &finding.actual)] {
         if !value.is_empty() {
             text.push_str(&format!(" {name}: {value}."));

@@ -108,7 +108,7 @@ fn a_short_key_is_warned_about() {
     let data = DataFolder::at(dir.path().join("data"));
     let path = dir.path().join("k.pem");
     write_key_of(KeySize::Rsa2048, &path);
-    let run = for_marking(&data, Marking::Secret, Some(&path)).unwrap();
+    let run = for_marking(&data, &Marking::SECRET, Some(&path)).unwrap();
     assert!(run.warning.unwrap().contains("2048 bits"));
     assert!(!run.created);
 }
@@ -117,8 +117,8 @@ fn a_short_key_is_warned_about() {
 fn above_unclassified_a_key_must_be_named() {
     let dir = tempfile::tempdir().unwrap();
     let data = DataFolder::at(dir.path().join("data"));
-    for marking in [Marking::Cui, Marking::Secret, Marking::TopSecret] {
-        let error = for_marking(&data, marking, None).unwrap_err();
+    for marking in [Marking::CUI, Marking::SECRET, Marking::TOP_SECRET] {
+        let error = for_marking(&data, &marking, None).unwrap_err();
         assert_eq!(error.kind, Kind::Policy);
         assert!(error.found.contains("KEY_REQUIRED"));
     }
@@ -131,7 +131,7 @@ fn first_runs_at_once_make_one_key() {
     let data = DataFolder::at(dir.path().join("data"));
     let runs: Vec<KeyForRun> = std::thread::scope(|scope| {
         let threads: Vec<_> =
-            (0..4).map(|_| scope.spawn(|| for_marking(&data, Marking::Unclassified, None).unwrap())).collect();
+            (0..4).map(|_| scope.spawn(|| for_marking(&data, &Marking::UNCLASSIFIED, None).unwrap())).collect();
         threads.into_iter().map(|t| t.join().unwrap()).collect()
     });
     assert_eq!(runs.iter().filter(|r| r.created).count(), 1);

@@ -3,6 +3,7 @@ use std::path::Path;
 
 use super::*;
 use crate::Kind;
+use crate::audit::Marking;
 use crate::audit::data_folder::DataFolder;
 use crate::audit::disk::fault::Plan;
 use crate::audit::keys::tests::shared_key;
@@ -10,11 +11,11 @@ use crate::audit::record::tests::draft;
 use crate::audit::store_merge::{lock_store, merge_into_store};
 
 pub(crate) fn destination(folder: &Path) -> Destination {
-    Destination { folder: folder.into(), replace: false, marking: Marking::Unclassified, nonce: 7 }
+    Destination { folder: folder.into(), replace: false, handling: Marking::UNCLASSIFIED.into(), nonce: 7 }
 }
 
 pub(crate) fn ply() -> Vec<u8> {
-    format!("ply\ncomment {}\nend_header\n\x01\x02\x03", Marking::Unclassified.line()).into_bytes()
+    format!("ply\ncomment {}\nend_header\n\x01\x02\x03", Marking::UNCLASSIFIED.line()).into_bytes()
 }
 
 pub(crate) fn fill(publication: &mut Publication) -> Result<()> {
@@ -136,7 +137,7 @@ fn names_that_are_refused() {
 #[test]
 fn a_file_with_another_marking_is_not_published() {
     let dir = tempfile::tempdir().unwrap();
-    let to = Destination { marking: Marking::Secret, ..destination(&dir.path().join("out")) };
+    let to = Destination { handling: Marking::SECRET.into(), ..destination(&dir.path().join("out")) };
     let mut publication = Publication::begin(&to).unwrap();
     let error = publication.add("scene.ply", &ply(), "x", "x").unwrap_err();
     assert_eq!(error.kind, Kind::Policy);

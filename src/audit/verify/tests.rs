@@ -211,7 +211,7 @@ fn properly_signed_lies() {
         ("MARKING_DOWNGRADE", |v| v["predicate"]["inputs"][0]["marking"] = json!("SECRET")),
         ("MARKING_DOWNGRADE", |v| v["predicate"]["marking"]["inputs_join"] = json!("CUI")),
         ("MARKING_INBAND_MISMATCH", |v| v["predicate"]["marking"]["banner"] = json!("SECRET")),
-        ("MARKING_UNSUPPORTED", |v| v["predicate"]["marking"]["banner"] = json!("SECRET//NOFORN")),
+        ("MARKING_UNSUPPORTED", |v| v["predicate"]["marking"]["banner"] = json!("SECRET//SI")),
         ("TIME_FUTURE", |v| v["predicate"]["time"]["utc"] = json!("2025-11-21T01:34:42.121Z")),
         ("ALG_REFUSED", |v| v["predicate"]["actor"]["algorithm"] = json!("RS1")),
         ("CHAIN_BROKEN", |v| v["predicate"]["chain"]["seq"] = json!(3)),

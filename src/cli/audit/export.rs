@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::Outcome;
-use super::ledger::new_file;
+use crate::audit::disk::Disk;
 use crate::audit::interchange::{civium, oscal, slsa};
 use crate::audit::report::Verdict;
 use crate::audit::verify::{Request, read_record, verify};
@@ -57,6 +57,6 @@ pub fn run(args: &ExportArgs, data: &DataFolder) -> Result<Outcome> {
     };
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::usage("export").found(e.to_string()))?;
     text.push('\n');
-    new_file(&args.output, text.as_bytes())?;
+    Disk::default().write_new(&args.output, text.as_bytes())?;
     Ok(Outcome { text: format!("{}\n", args.output.display()), exit_code: 0 })
 }

@@ -1,11 +1,11 @@
 //! `orb audit ledger`: verify a ledger, sign a checkpoint of it, archive it, compare folders with it.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
 use super::Outcome;
+use crate::audit::disk::Disk;
 use crate::audit::keys::{self, KeySource};
 use crate::audit::ledger_check::{self, LedgerRequest};
 use crate::audit::{DataFolder, Ledger, Marking, SigningKey, TrustStore, archive, time};
@@ -114,7 +114,7 @@ fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
             .advice("There is nothing to anchor.")
     })?;
     let line = made.sign(&key)?.to_line();
-    new_file(&args.output, &line)?;
+    Disk::default().write_new(&args.output, &line)?;
     let text = format!(
         "{}\n  ledger {}, {} records through {}\n  root   {}\n  head   {}\n  Keep it where the ledger's owner cannot \
          change it; the root alone, on paper, serves too.\n",
@@ -158,21 +158,8 @@ pub(super) fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
 fn key(named: Option<&Path>, data: &DataFolder) -> Result<SigningKey> {
     match named {
         Some(path) => SigningKey::load(path, KeySource::NamedFile),
-        None => Ok(keys::for_marking(data, Marking::Unclassified, None)?.key),
+        None => Ok(keys::for_marking(data, &Marking::UNCLASSIFIED, None)?.key),
     }
-}
-
-pub(super) fn new_file(path: &Path, bytes: &[u8]) -> Result<()> {
-    use std::io::Write as _;
-    let write = || {
-        let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;
-        file.write_all(bytes)?;
-        file.sync_all()
-    };
-    write().map_err(|e: std::io::Error| {
-        let error = Error::io(path, &e);
-        if e.kind() == std::io::ErrorKind::AlreadyExists { error.expected("a new file") } else { error }
-    })
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::Outcome;
-use super::ledger::{ledger_path, new_file};
+use super::ledger::ledger_path;
+use crate::audit::disk::Disk;
 use crate::audit::evidence::{Evidence, to_html, to_markdown};
 use crate::audit::ledger_check::{LedgerRequest, verify_ledger};
 use crate::audit::verify::{Request, read_record, verify};
@@ -77,7 +78,7 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
         Form::Markdown => to_markdown(&evidence)?,
         Form::Json => format!("{}\n", report.to_json()),
     };
-    new_file(&args.output, text.as_bytes())?;
+    Disk::default().write_new(&args.output, text.as_bytes())?;
     Ok(Outcome { text: format!("{}\n", args.output.display()), exit_code: report.exit_code })
 }
 

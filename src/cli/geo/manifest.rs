@@ -226,7 +226,7 @@ impl Line {
             to.facc = facc.to_owned();
         }
         if let Some(banner) = self.get("classification") {
-            to.classification = banner.to_owned();
+            to.marking.classification = Some(banner.to_owned());
         }
         self.get("photo")
             .map(PathBuf::from)

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::audit::record;
 use crate::audit::statement::Input;
+use crate::audit::{Marking, record};
+use crate::cli::marking;
 use crate::geo::dem::{Dem, Fit};
 use crate::geo::{self, AltDatum, Known, Written};
 use crate::{Error, Result};
@@ -137,6 +138,17 @@ pub(super) struct Terrain {
     pub(super) input: Input,
 }
 
+impl Wanted {
+    /// What the terrain is marked.
+    ///
+    /// # Errors
+    /// As [`Marking::parse`].
+    pub fn terrain_marking(&self) -> Result<Vec<Option<Marking>>> {
+        let banner = |t: &Terrain| t.input.marking.as_deref().map(Marking::parse).transpose();
+        self.terrain.iter().map(banner).collect()
+    }
+}
+
 /// Reads and checks every option, opens the terrain.
 ///
 /// # Errors
@@ -204,7 +216,7 @@ fn terrain(place: &PlaceArgs) -> Result<Option<Terrain>> {
         DemDatum::Msl => AltDatum::Msl,
     });
     let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the terrain's path."))?;
-    let input = record::input(&name, &bytes, "image/tiff", "terrain", None);
+    let input = record::input(&name, &bytes, "image/tiff", "terrain", marking::carried(&name, &bytes)?);
     drop(bytes);
     let file = File::open(path).map_err(|e| Error::io(path, &e))?;
     let dem = Dem::open(&name, BufReader::new(file), datum)?;

@@ -21,7 +21,7 @@ pub fn publish(
     let (low, high) = done.model.levels[0].mesh.bounds();
     let mut georeference = Georeference {
         name: labels.stem.clone(),
-        banner: labels.marking.banner().to_owned(),
+        banner: labels.marking.banner(),
         utc: labels.utc.clone(),
         placement: placed.placement,
         uncertainty: placed.uncertainty,
