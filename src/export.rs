@@ -170,7 +170,9 @@ pub fn flt(
     let count = coarsest_first.len();
     for (i, (level, mesh)) in coarsest_first.iter().zip(turned).enumerate() {
         let texture = format!("{stem}_{i}.rgb");
-        let bytes = sgi::write(&rgb(&level.texture), &labels.marking.line(), true).map_err(format_error)?;
+        // The image's name has room for 79 bytes; the attributes beside it hold the whole line.
+        let name: String = labels.marking.line().chars().take(79).collect();
+        let bytes = sgi::write(&rgb(&level.texture), &name, true).map_err(format_error)?;
         files.push(File { path: texture.clone(), bytes, media_type: "image/x-sgi" });
         let attributes = openflight::attributes::Attributes {
             width: level.texture.width(),

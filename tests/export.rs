@@ -163,6 +163,8 @@ fn a_model_of_others_becomes_every_format_with_a_surface() {
 /// A classified scene: its banner in every format, its authority in the record, and no way down.
 #[test]
 fn a_classified_scene_stays_one_in_every_format() {
+    // The user has a ledger, in which refusals are recorded.
+    from_splats();
     let dir = tempfile::tempdir().unwrap();
     let banner = "SECRET//ORCON/REL TO USA, AUS, CAN, DEU, ESP, FRA, GBR, ITA, JPN, NLD, NOR, NZL//LIMDIS";
     let scene = dir.path().join("site.ply");
