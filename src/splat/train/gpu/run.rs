@@ -16,9 +16,9 @@ use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::plan::{Kernels as Drawing, RECORD, TILE, View};
-use crate::splat::render::gpu::{Gpu, MOST_GROUPS};
+use crate::splat::render::gpu::{Gpu, MOST_GROUPS, Scene};
 use crate::splat::train::pose::Pose;
-use crate::splat::train::{Advanced, Checkpoint, Options, Stop, Target};
+use crate::splat::train::{Advanced, Checkpoint, Density, Options, Stop, Target};
 use crate::{Error, Result};
 
 /// Iterations a submission.
@@ -288,8 +288,7 @@ impl<'a> Run<'a> {
 
 /// Room for Gaussians: what is needed and what may soon come, never above the cap.
 fn room_for(gpu: &Gpu, needed: u32, now: u32, options: &Options) -> u32 {
-    let most = crate::splat::render::gpu::Scene::most_in_one_chunk(gpu);
-    let cap = options.density.max_gaussians.min(most as usize) as u32;
+    let cap = options.density.max_gaussians.min(Scene::most_in_one_chunk(gpu) as usize) as u32;
     let grown = if options.density.until > 0 { needed.saturating_add(needed.max(now) / 2).max(16_384) } else { needed };
     grown.min(cap).max(needed).max(1)
 }
@@ -309,6 +308,10 @@ pub fn advance(
     until: usize,
     progress: &dyn Progress,
 ) -> Result<Advanced> {
+    // Growth stops at what the adapter's bindings hold.
+    let most = Scene::most_in_one_chunk(gpu) as usize;
+    let density = Density { max_gaussians: options.density.max_gaussians.min(most), ..options.density };
+    let options = &Options { density, ..*options };
     let cameras = at.cameras.clone();
     let began = Instant::now();
     let mut run = Run::new(gpu, &at, targets, options)?;

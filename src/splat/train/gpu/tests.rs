@@ -583,6 +583,25 @@ fn short_lists_halt_and_go_on() {
 }
 
 #[test]
+fn growth_stops_at_what_the_adapter_holds() {
+    if gpu().is_none() {
+        return;
+    }
+    let mut small = Gpu::open(true, None).unwrap();
+    small.adapter.largest_binding = 192 * 1000;
+    let (targets, start) = problem(16);
+    let o = Options::scaled(40);
+    let density = Density { every: 5, from: 1, until: 40, gradient: 0.0, growth: 1.0, ..o.density };
+    let o = Options { density: Density { max_gaussians: 100_000, ..density }, ..o };
+    for strategy in [crate::splat::train::Strategy::Paper, crate::splat::train::Strategy::Mcmc] {
+        let o = Options { density: Density { strategy, ..o.density }, ..o };
+        let got = train(Engine::Gpu(&small), start.clone(), &targets, &o, &Silent).unwrap();
+        let n = got.report.gaussians_after;
+        assert!((900..=1000).contains(&n), "{n} of at most 1000");
+    }
+}
+
+#[test]
 fn mcmc_grows_to_its_cap_and_learns() {
     let Some(gpu) = gpu() else { return };
     let (targets, mut start) = problem(48);
