@@ -52,19 +52,27 @@ def true_mask(path):
 
 
 @torch.no_grad()
-def predicted_mask(net, photo):
-    """SceneNet's mask of photo [3, S, S], as [S, S], the larger of what it finds with and without a mirrored margin.
+def look(net, photo):
+    """SceneNet's mask of photo [3, S, S], as [S, S], the larger of what it finds with and without a mirrored margin,
+    and what both say of the elevation [2, 2].
 
-    The program does the same and then sharpens the edge by colour, which is left out here.
+    The program does the same, looks again closer, and then sharpens the edge by colour; both are left out here.
     """
     wide = F.affine_grid(torch.tensor([[[1.35, 0, 0], [0, 1.35, 0]]], device=DEVICE), (1, 3, PHOTO, PHOTO), align_corners=False)
     margin = F.grid_sample(photo[None], wide, mode="bilinear", padding_mode="reflection", align_corners=False)
     small = F.interpolate(torch.cat([photo[None], margin]), size=SceneNet.SIZE, mode="area")
-    logits, _ = net(F.pad(small, (0, 0, 0, 0, 0, 1)))
+    logits, _, elevation = net(F.pad(small, (0, 0, 0, 0, 0, 1)))
     masks = F.interpolate(torch.sigmoid(logits), size=PHOTO, mode="bilinear")
     back = F.affine_grid(torch.tensor([[[1 / 1.35, 0, 0], [0, 1 / 1.35, 0]]], device=DEVICE), (1, 1, PHOTO, PHOTO), align_corners=False)
     inner = F.grid_sample(masks[1:], back, mode="bilinear", align_corners=False)
-    return torch.maximum(masks[0, 0], inner[0, 0])
+    return torch.maximum(masks[0, 0], inner[0, 0]), elevation
+
+
+def joined(scene, splat):
+    """One elevation (radians) of what SceneNet [m, 2] and SplatNet [1, 2] say of it: means weighed by their precision."""
+    rows = torch.stack([torch.stack([scene[:, 0].mean(), scene[:, 1].mean()]), splat[0]])
+    weight = 1 / rows[:, 1] ** 2
+    return (rows[:, 0] * weight).sum() / weight.sum()
 
 
 def crop(photo, mask):
@@ -94,16 +102,16 @@ def rotations(quaternions):
     return torch.stack(rows, 1).reshape(-1, 3, 3)
 
 
-def to_world(splats, azimuth, size):
+def to_world(splats, elevation, azimuth, size):
     """Gaussians in the object's world: positions [n, 3] in metres and covariances [n, 3, 3].
 
-    azimuth: of the photo's camera, radians; its elevation is the network's own. size [3]: the object's bounding box in
+    elevation (a tensor), azimuth: of the photo's camera, radians. size [3]: the object's bounding box in
     metres, half whose diagonal is the network's unit; the object stands on z = 0.
     """
     radius = float(np.linalg.norm(size) / 2)
     eye = orbit(
         torch.tensor([azimuth], device=DEVICE),
-        splats["elevation"],
+        elevation.reshape(1),
         torch.tensor([SplatNet.DIST], device=DEVICE),
     )
     canonical = inverses(*look_at(eye))[0]
@@ -115,9 +123,9 @@ def to_world(splats, azimuth, size):
 
 
 @torch.no_grad()
-def rendered(splats, azimuth, size, views):
+def rendered(splats, elevation, azimuth, size, views):
     """The object from `views` on white, [V, 3, H, W], and its coverage [V, H, W]."""
-    position, covariance = to_world(splats, azimuth, size)
+    position, covariance = to_world(splats, elevation, azimuth, size)
     matrices = torch.tensor([v["w2c_opencv"] for v in views], device=DEVICE, dtype=torch.float32)
     intrinsics = torch.tensor([[v["fx"], v["fy"], v["cx"], v["cy"]] for v in views], device=DEVICE)
     height, width = views[0]["height"], views[0]["width"]
@@ -194,7 +202,7 @@ def score_object(folder, scene, splat):
         if view is mask_view:
             continue
         photo = picture(view_file(folder, view, ".jpg"), "RGB", PHOTO)
-        own_mask = predicted_mask(scene, photo)
+        own_mask, seen = look(scene, photo)
         for source, mask in (("own mask", own_mask), ("true mask", truth_mask)):
             rgba = crop(photo, mask)
             if rgba is None:
@@ -202,12 +210,13 @@ def score_object(folder, scene, splat):
                 continue
             with torch.no_grad():
                 splats = splat(rgba)
-            elevation = math.degrees(splats["elevation"].item())
-            scores = {"elevation_error_deg": abs(elevation - view["elevation_deg"])}
+            said = {"scene": seen[:, 0].mean(), "splat": splats["elevation"][0, 0], "": joined(seen, splats["elevation"])}
+            errors = {k: abs(math.degrees(v.item()) - view["elevation_deg"]) for k, v in said.items()}
+            scores = {f"{k}_elevation_error_deg".lstrip("_"): v for k, v in errors.items()}
             scores["mask_iou"] = mask_iou(mask, truth_mask)
             columns = None
             if others:
-                answer, alpha = rendered(splats, azimuth, size, others)
+                answer, alpha = rendered(splats, said[""], azimuth, size, others)
                 scores |= view_scores(answer, alpha, truth, truth_alpha, others)
                 pairs = [t[i : i + 1] for i in range(0, len(others), 2) for t in (truth, answer)]
                 columns = [F.interpolate(c, size=144, mode="area") for c in (rgba[:, :3], *pairs)]

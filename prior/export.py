@@ -17,20 +17,20 @@ OPSET = 17
 # Smaller tensors (biases, norms) stay float32.
 PACK_FROM = 1024
 
-SCENE_OUTPUTS = ["mask", "inverse_depth"]
-SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation"]
+SCENE_OUTPUTS = ["mask", "inverse_depth", "elevation"]
+SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation", "camera"]
 
 
 class Scene(torch.nn.Module):
-    """image [1, 4, 256, 256], photo and point -> mask 0..1 and inverse depth, [1, 1, 256, 256] each."""
+    """image [1, 4, 256, 256], photo and point -> mask 0..1, inverse depth, [1, 1, 256, 256] each, elevation [1, 2]."""
 
     def __init__(self, net):
         super().__init__()
         self.n = net
 
     def forward(self, image):
-        logits, depth = self.n(image)
-        return torch.sigmoid(logits), depth
+        logits, depth, elevation = self.n(image)
+        return torch.sigmoid(logits), depth, elevation
 
 
 class Splat(torch.nn.Module):
@@ -42,7 +42,7 @@ class Splat(torch.nn.Module):
 
     def forward(self, rgba):
         out = self.n(rgba)
-        return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation"))
+        return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation", "camera"))
 
 
 def pack(path):

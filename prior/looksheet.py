@@ -25,7 +25,7 @@ def main():
     args = parser.parse_args()
     torch.manual_seed(args.seed)
     device = "cuda" if torch.cuda.is_available() else "cpu"
-    pool = make_pool(args.seed, args.objects, processes=4, device=device)
+    pool = make_pool(args.seed, args.objects, processes=4, device=device, textures=48)
     scenes = scene_batch(pool, args.rows, size=args.size)
     inverse = torch.where(scenes.depth > 0, 1 / scenes.depth.clamp(min=0.1), torch.zeros_like(scenes.depth))
     inverse = inverse / inverse.amax((1, 2), keepdim=True).clamp(min=1e-6)

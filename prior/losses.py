@@ -24,15 +24,16 @@ def scene_step(net, pool, n):
     """Returns loss, figures {name: number} and picture columns, each [n, 1 or 3, S, S] in 0..1."""
     batch = scene_batch(pool, n)
     with torch.autocast("cuda", torch.bfloat16):
-        logits, depth = net(torch.cat([batch.photo, batch.point], 1))
+        logits, depth, elevation = net(torch.cat([batch.photo, batch.point], 1))
     logits = logits[:, 0].float()
     depth = depth[:, 0].float()
     truth = normalised_inverse_depth(batch.depth)
     answer = centred(depth)
     mask_loss = mask_losses(logits, batch.alpha)
     depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
-    loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss
-    figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss}
+    elevation_loss, off = elevation_losses(elevation, batch.elevation)
+    loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss + 0.05 * elevation_loss
+    figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss, "el_deg": off}
     columns = [
         batch.photo,
         batch.alpha[:, None],
@@ -80,6 +81,12 @@ def depth_losses(answer, truth, alpha):
     return absolute, edges
 
 
+def elevation_losses(answer, truth):
+    """Negative log-likelihood of truth [n] under Laplace distributions [n, 2], and the mean error in degrees."""
+    off = (answer[:, 0] - truth).abs()
+    return (off / answer[:, 1] + answer[:, 1].log()).mean(), off.mean() * (180 / math.pi)
+
+
 @torch.no_grad()
 def mask_iou(logits, alpha):
     answer = logits > 0
@@ -89,6 +96,10 @@ def mask_iou(logits, alpha):
 
 
 # ---------------------------------------------------------------- SplatNet
+
+
+# Of the errors of SplatNet's camera: size, middle, nearness.
+CAMERA_WEIGHTS = (0.3, 0.3, 0.3, 0.05)
 
 
 def splat_step(net, pool, n):
@@ -108,14 +119,17 @@ def splat_step(net, pool, n):
     alpha_loss = (uncovered**2).mean() + 0.3 * uncovered.abs().mean()
     edge_loss = sum(gradients(pooled(error, step)) for step in (1, 2, 4))
     depth_loss = front_depth_loss(splats["depth"], batch)
-    off = splats["elevation"] - batch.elevation
-    elevation_loss = F.smooth_l1_loss(off, torch.zeros_like(off), beta=0.05)
+    elevation_loss, off = elevation_losses(splats["elevation"], batch.elevation)
+    camera_loss = F.smooth_l1_loss(splats["camera"], batch.camera, beta=0.03, reduction="none")
+    camera_loss = (camera_loss * weight[:, 0, 0, 0] * fixed(CAMERA_WEIGHTS, camera_loss.device)).sum(1).mean()
     size_loss = F.relu(splats["scale"] - 0.06).mean()
-    loss = colour_loss + alpha_loss + 0.7 * edge_loss / 3 + 0.25 * depth_loss + 0.3 * elevation_loss + 2 * size_loss
+    loss = colour_loss + alpha_loss + 0.7 * edge_loss / 3 + 0.25 * depth_loss + 2 * size_loss
+    loss = loss + 0.02 * elevation_loss + camera_loss
     figures = {
         **view_scores(answer, truth, alpha, batch.alpha, weight[:, 0]),
         "depth": depth_loss,
-        "el_deg": off.abs().mean() * (180 / math.pi),
+        "zoom": (splats["camera"] - batch.camera)[:, 0].abs().mean(),
+        "el_deg": off,
     }
     columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
@@ -149,8 +163,8 @@ def pooled(x, step):
 
 
 def front_depth_loss(depth, batch):
-    """Mean distance between the front layer's depth [n, S, S] and the truth in the canonical view, on the subject."""
-    truth = batch.depth[:, 0]
+    """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject."""
+    truth = batch.front
     valid = (truth > 0) & (batch.rgba[:, 3] > 0.5) & ~batch.empty[:, None, None]
     return ((depth - truth).abs() * valid).sum() / valid.sum().clamp(min=1)
 

@@ -108,12 +108,26 @@ def level(cin, width, blocks):
     return nn.Sequential(*[Res(cin if i == 0 else width, width) for i in range(blocks)])
 
 
+def head(width, numbers):
+    """From the mean token to a few numbers about the whole picture; they start at 0."""
+    layers = nn.Sequential(nn.Linear(width, 128), nn.SiLU(), nn.Linear(128, numbers))
+    nn.init.zeros_(layers[2].weight)
+    nn.init.zeros_(layers[2].bias)
+    return layers
+
+
+def elevation(y):
+    """[B, 2] -> elevation above the horizon and the scale of its Laplace distribution (the error's mean), radians."""
+    return torch.stack([y[:, 0], torch.exp(y[:, 1].clamp(-4, 2) - 2)], 1)
+
+
 class SceneNet(nn.Module):
-    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each.
+    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each, and elevation [B, 2].
 
     Photo: sRGB 0..1. Point: 1 where the user says that the subject is, falling off around it as
     `synth.batches.point_map` draws it; all 0 where nobody says, then the subject is what stands in the middle.
     Inverse depth is right up to a scale and an offset of its own for every picture.
+    Elevation: as `elevation_head` has it, of the camera above the subject's centre, told by all that is around it.
     """
 
     SIZE = 256
@@ -121,19 +135,24 @@ class SceneNet(nn.Module):
     def __init__(self):
         super().__init__()
         self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=16, depth=9, heads=7)
+        self.el = head(224, 2)
 
     def forward(self, x):
-        y, _ = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
-        return y[:, :1], y[:, 1:]
+        y, mean_token = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
+        return y[:, :1], y[:, 1:], elevation(self.el(mean_token.float()))
 
 
 class SplatNet(nn.Module):
     """Subject on grey 0.5 and its mask, [B, 4, 128, 128] -> Gaussians in the canonical camera and its elevation.
 
     The canonical camera has OpenCV axes (x right, y down, z forward) and a field of view of `FOV` radians; the
-    subject's bounding sphere has radius 1 and lies at (0, 0, `DIST`). With n = layers * 128 * 128 the answer holds
-    pos [B, n, 3], scale [B, n, 3] (same unit), quat [B, n, 4] (w first), opacity [B, n], rgb [B, n, 3] (0..1),
-    depth [B, 128, 128] of the front layer, and elevation [B] in radians above the horizon.
+    subject's bounding sphere has radius 1 and lies at (0, 0, `DIST`). The photo's camera looks the same way from
+    another distance, and the crop shows a part of what it sees: both are in the camera [B, 4] of the answer
+    (`crop_rays`), so that every pixel's ray is where the subject's surface lies in the canonical frame.
+
+    With n = layers * 128 * 128 the answer holds pos [B, n, 3], scale [B, n, 3] (same unit), quat [B, n, 4] (w first),
+    opacity [B, n], rgb [B, n, 3] (0..1), depth [B, 128, 128] (canonical z) of the front layer, camera [B, 4] and
+    elevation [B, 2] (`elevation`).
     """
 
     SIZE = 128
@@ -146,7 +165,8 @@ class SplatNet(nn.Module):
         super().__init__()
         self.layers = layers
         self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=11, heads=8)
-        self.el = nn.Sequential(nn.Linear(256, 128), nn.SiLU(), nn.Linear(128, 1))
+        self.el = head(256, 2)
+        self.camera = head(256, 4)
         with torch.no_grad():
             self.net.head.weight *= 0.3
             self.net.head.bias.zero_()
@@ -155,12 +175,14 @@ class SplatNet(nn.Module):
         signed = torch.cat([x[:, :3] * 2 - 1, x[:, 3:] * 2 - 1], 1)
         y, mean_token = self.net(signed)
         y = y.float()
+        mean_token = mean_token.float()
         batch, _, height, width = y.shape
         y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
 
+        camera = self.camera(mean_token)
         depth = self.DIST + 1.3 * torch.tanh(y[:, :, :1] + self.depth_bias(x.device))
         offset = self.reach(x) * torch.tanh(y[:, :, 1:4] * 0.5)
-        position = pixel_rays(height, width, self.FOV, x.device) * depth + offset
+        position = crop_rays(camera, depth, self.DIST) + offset
         opacity = torch.sigmoid(y[:, :, 4:5] - 1)
         scale = torch.exp((y[:, :, 5:8] - 3.9).clamp(-7.5, -1.2))
         rotation = F.normalize(torch.cat([y[:, :, 8:9] + 1, y[:, :, 9:12]], 2), dim=2)
@@ -177,7 +199,8 @@ class SplatNet(nn.Module):
             "quat": listed(rotation),
             "rgb": listed(colour),
             "depth": depth[:, 0, 0],
-            "elevation": self.el(mean_token.float())[:, 0],
+            "camera": camera,
+            "elevation": elevation(self.el(mean_token)),
         }
 
     def reach(self, x):
@@ -197,17 +220,29 @@ class SplatNet(nn.Module):
         return bias
 
 
-def pixel_rays(height, width, fov, device):
-    """Ray through every pixel centre with z = 1, [3, H, W], for a square picture of `fov` radians."""
-    step = 2 * math.tan(fov / 2) / width
-    across = (torch.arange(width, device=device) + 0.5 - width / 2) * step
-    return torch.stack(
-        [
-            across[None].expand(height, width),
-            across[:, None].expand(height, width),
-            torch.ones(height, width, device=device),
-        ]
-    )
+# What `crop_rays` makes of a camera of zeros, the canonical one: half the crop's width at the subject's centre, and the
+# inverse distance. Versions to 0.2 knew no other.
+CROP_HALF = SplatNet.DIST * math.tan(SplatNet.FOV / 2)
+CROP_NEARNESS = 1 / SplatNet.DIST
+
+
+def crop_rays(camera, depth, distance):
+    """Points [B, L, 3, H, W] at canonical depth [B, L, 1, H, W] on the rays of the crop's pixels.
+
+    camera [B, 4]: log of half the crop's width over `CROP_HALF`, both at the plane z = `distance` of the subject's
+    centre; the crop's middle there, x and y; log of the photo's camera's nearness (inverse distance to that plane)
+    over `CROP_NEARNESS`. Rays spread with distance from that camera, which lies on the canonical axis.
+    """
+    batch, layers, _, height, width = depth.shape
+    half = CROP_HALF * torch.exp(camera[:, 0]).reshape(batch, 1, 1, 1, 1)
+    nearness = CROP_NEARNESS * torch.exp(camera[:, 3].clamp(-1.5, 1.5)).reshape(batch, 1, 1, 1, 1)
+    middle = camera[:, 1:3].reshape(batch, 1, 2, 1, 1)
+    across = (torch.arange(width, device=depth.device) + 0.5) * (2 / width) - 1
+    down = (torch.arange(height, device=depth.device) + 0.5) * (2 / height) - 1
+    grid = torch.stack([across[None].expand(height, width), down[:, None].expand(height, width)])
+    spread = 1 + nearness * (depth - distance)
+    beside = (grid[None, None] * half + middle) * spread
+    return torch.cat([beside, depth], 2)
 
 
 NETS = {"scene": SceneNet, "splat": SplatNet}
@@ -217,11 +252,17 @@ def grown(net, state):
     """`state` of a shallower `net` (fewer transformer blocks, fewer input channels) made to fit, function unchanged.
 
     New blocks are `net`'s own with output projections of zero: they pass their tokens on. New input channels count for
-    nothing.
+    nothing. Heads that are new start anew; what they answer beyond what they did is 0.
     """
     state = dict(state)
     fresh = net.state_dict()
     for name, value in fresh.items():
+        if name.startswith(("el.", "camera.")):
+            if name not in state:
+                state[name] = value.clone()
+            elif len(state[name]) < len(value):
+                state[name] = torch.cat([state[name], torch.zeros_like(value[len(state[name]) :])])
+            continue
         if name == "net.stem.weight" and state[name].shape != value.shape:
             wider = torch.zeros_like(value)
             wider[:, : state[name].shape[1]] = state[name]

@@ -88,7 +88,7 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
     from synth.batches import make_pool, scene_batch, splat_batch
 
     torch.manual_seed(0)
-    pool = make_pool(0, 64, 2, "cpu")
+    pool = make_pool(0, 64, 2, "cpu", textures=8)
     scenes = scene_batch(pool, 8, size=64)
     subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
     assert all(torch.isfinite(t).all() for t in (*scenes, *subjects))
@@ -112,5 +112,7 @@ def test_networks_compute_what_the_shipped_files_compute(which):
     with torch.no_grad():
         ours = restore.WRAPPERS[which](net).eval()(example)
     theirs = session.run(None, {source.name: example.numpy()})
-    for a, b in zip(ours, theirs, strict=True):
-        assert np.abs(a.numpy() - b).max() <= 1e-3 * np.abs(b).max()
+    for a, b in zip(ours, theirs, strict=False):
+        # SplatNet 0.2 gave an elevation without its spread, and no camera.
+        a = a.numpy() if a.shape == b.shape else a.numpy()[:, 0]
+        assert np.abs(a - b).max() <= 1e-3 * np.abs(b).max()

@@ -4,7 +4,8 @@
 
 Writes DIR/<net>.pt (everything needed to go on), DIR/<net>_weights.pt (averaged weights, float16, for export.py) and
 DIR/<net>.png (the last batch). A run that finds DIR/<net>.pt goes on from there. Progress: one JSON line every 20 s.
-The schedule follows the clock, so two runs of one seed see the same data but stop at different steps.
+The schedule follows the clock, so two runs of one seed see the same data but stop at different steps. A number in the
+file DIR/seconds overrides --seconds and --total while it runs: a machine that is lent for less or more than was thought.
 """
 
 import argparse
@@ -88,17 +89,28 @@ def out_of_time(start, seconds, world):
     return bool(stop.item())
 
 
+def told(path, seconds, total):
+    """Length of the run and of the whole schedule: the number in the file at `path` if there is one."""
+    try:
+        with open(path) as file:
+            return (float(file.read()),) * 2
+    except (OSError, ValueError):
+        return seconds, total
+
+
 def train(net, optimizer, average, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
     model = torch.compile(net) if args.compile else net
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     take_step = STEPS[args.net]
-    total = args.total or spent + args.seconds
     start = logged = kept = time.time()
+    seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
     while True:
         elapsed = time.time() - start
+        if step % STOP_EVERY == 0:
+            seconds, total = told(os.path.join(args.dir, "seconds"), seconds, total)
         for group in optimizer.param_groups:
             group["lr"] = learning_rate(args.lr, step, (spent + elapsed) / total)
         loss, figures, columns = take_step(model, pool, args.batch)
@@ -114,7 +126,7 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
         smooth(log, figures)
         if step % STOP_EVERY:
             continue
-        stop = out_of_time(start, args.seconds, world)
+        stop = out_of_time(start, seconds, world)
         if rank == 0 and (stop or time.time() - logged > LOG_SECONDS):
             logged = time.time()
             line = {"it": step, "t": round(spent + elapsed), "samples": step * args.batch * world}

@@ -11,25 +11,36 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
-from .cameras import crop, inverses, look_at, matrices, orbit, pack, rolled
+from nets import CROP_HALF, CROP_NEARNESS
+
+from .cameras import crop, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
 from .layout import (
+    BALL,
+    BOX,
     CENTRE,
+    CENTRE_X,
+    CENTRE_Y,
     COLOURS,
     CUT_FREQUENCY,
+    CUTOUT,
+    CYL,
     FLOATS,
     FOCAL,
     HALF_SIZE,
     KIND,
     PATTERN_OFFSET,
     PRIMS,
+    ROTATION,
     SHIFT,
     SUBJECT,
+    TAPER,
 )
-from .lens import exposed, stored
+from .lens import defocused, exposed, stored
 from .objects import COMPANIONS, make_object
 from .raycast import cast
 from .structures import leafy
+from .textures import make_bank, textured
 
 # Objects that may stand around the subject of a photo.
 DISTRACTORS = 5
@@ -40,6 +51,7 @@ class Pool(NamedTuple):
     """Objects to draw from: prims [N, PRIMS, 36], counts [N] int32, grounds [N] (height of the ground).
 
     companions [M]: the indices of those that often stand near others; foliage [F]: of trees and bushes.
+    textures [T, 3, S, S]: see `textures`.
     """
 
     prims: torch.Tensor
@@ -47,9 +59,10 @@ class Pool(NamedTuple):
     grounds: torch.Tensor
     companions: torch.Tensor
     foliage: torch.Tensor
+    textures: torch.Tensor
 
 
-def make_pool(first_seed, count, processes, device="cuda"):
+def make_pool(first_seed, count, processes, device="cuda", textures=384):
     """The objects of `count` consecutive seeds."""
     seeds = range(first_seed, first_seed + count)
     with Processes(processes) as workers:
@@ -60,12 +73,20 @@ def make_pool(first_seed, count, processes, device="cuda"):
         grounds=torch.tensor([m.ground for m in made], dtype=torch.float32, device=device),
         companions=torch.tensor([i for i, m in enumerate(made) if m.maker in COMPANIONS] or [0], device=device),
         foliage=torch.tensor([i for i, m in enumerate(made) if m.maker is leafy] or [0], device=device),
+        textures=make_bank(textures, device),
     )
 
 
 def uniform(like, low, high):
     """One number a row of `like` [n, ...], on its device."""
     return torch.rand(len(like), device=like.device) * (high - low) + low
+
+
+def elevations(like):
+    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above."""
+    kind = uniform(like, 0, 1)
+    usual = uniform(like, -0.02, 0.5)
+    return torch.where(kind < 0.55, usual, torch.where(kind < 0.8, uniform(like, -0.08, 0.95), uniform(like, -0.3, 0.12)))
 
 
 def recolour(prims):
@@ -90,12 +111,13 @@ def recolour(prims):
 
 class SceneBatch(NamedTuple):
     """photo [n, 3, S, S] sRGB 0..1; point [n, 1, S, S], as `point_map` draws it, or 0 where none is given;
-    alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky."""
+    alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky; elevation [n] of the camera, radians."""
 
     photo: torch.Tensor
     point: torch.Tensor
     alpha: torch.Tensor
     depth: torch.Tensor
+    elevation: torch.Tensor
 
 
 def scene_batch(pool, n, size=256):
@@ -110,19 +132,21 @@ def scene_batch(pool, n, size=256):
     ground = pool.grounds[chosen]
     pointed = uniform(chosen, 0, 1) < 0.5
     azimuth = uniform(chosen, 0, 6.283)
-    elevation = torch.where(uniform(chosen, 0, 1) < 0.3, uniform(chosen, -0.3, 0.1), uniform(chosen, -0.03, 0.85))
-    prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS), FLOATS, device=device)
+    elevation = elevations(chosen)
+    prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS) + 2, FLOATS, device=device)
     prims[:, :PRIMS] = subject
     counts = pool.counts[chosen].clone().long()
     overgrown = uniform(chosen, 0, 1) < 0.18
     for i in range(DISTRACTORS):
         add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0)
-    cameras = photo_cameras(azimuth, elevation, ground, size, pointed)
+    ground = add_perch(prims, counts, ground)
+    cameras, elevation = photo_cameras(azimuth, elevation, ground, size, pointed)
     surroundings = environments(n, ground, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
     rgb, alpha, depth = cast(prims, counts.int(), each, cameras, surroundings, size, 2)
-    photo, alpha, depth = mirrored_margins(stored(exposed(rgb)), alpha, depth)
-    return SceneBatch(photo, points(alpha, pointed), alpha, depth)
+    photo = defocused(textured(rgb, alpha, depth, pool.textures), alpha, depth)
+    photo, alpha, depth = mirrored_margins(stored(exposed(photo)), alpha, depth)
+    return SceneBatch(photo, points(alpha, pointed), alpha, depth, elevation)
 
 
 def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
@@ -169,11 +193,48 @@ def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
     counts += added
 
 
+def add_perch(prims, counts, ground):
+    """In a few scenes the subject stands on a mound, a slab or a log that is not its own; the ground lies lower there.
+
+    prims [n, P, 36] and counts [n] grow in place; returns the ground's heights [n].
+    """
+    n, capacity, _ = prims.shape
+    device = prims.device
+    present = uniform(ground, 0, 1) < 0.1
+    kind = fixed((BALL, BOX, CYL), device)[torch.randint(3, (n,), device=device)]
+    high = torch.exp(uniform(ground, -3, -0.5))
+    row = prims[:, 0].clone()
+    row[:, KIND] = kind.float()
+    row[:, SUBJECT] = 0
+    row[:, CUTOUT] = 0
+    row[:, TAPER] = 1
+    row[:, SHIFT] = 0
+    turn = uniform(ground, 0, 6.283)
+    c, s, zero = turn.cos(), turn.sin(), torch.zeros_like(turn)
+    upright = torch.stack([c, s, zero, -s, c, zero, zero, zero, zero + 1], 1)
+    # A log lies level: its own z is the first level axis.
+    lying = torch.stack([-s, c, zero, zero, zero, zero + 1, c, s, zero], 1)
+    log = (kind == CYL)[:, None]
+    row[:, ROTATION] = torch.where(log, lying, upright)
+    reach = torch.exp(torch.rand(n, 2, device=device) * 1.4 - 0.7)
+    flat = torch.cat([reach, high[:, None]], 1)
+    along = torch.stack([high * 0.4, high * 0.4, reach[:, 0] * 1.5], 1)
+    row[:, HALF_SIZE] = torch.where(log, along, flat)
+    below = torch.where(log[:, 0], high * 0.4, high) * uniform(ground, 0.8, 1)
+    aside = 0.3 * torch.randn(n, 2, device=device)
+    row[:, CENTRE] = torch.cat([aside, (ground - below)[:, None]], 1)
+    row[:, 20:26] = torch.rand(n, 6, device=device) ** 1.5
+    at = torch.where(present, counts, torch.full_like(counts, capacity - 1))
+    prims[torch.arange(n, device=device), at] = row
+    counts += present
+    return torch.where(present, ground - below, ground)
+
+
 def photo_cameras(azimuth, elevation, ground, size, anywhere):
     """Hand-held cameras: above the ground, roughly at the subject, slightly rolled; the subject small to overfull.
 
     Where `anywhere` [n] is set they look aside further. Some pictures are squeezed, as non-square photos are before
-    the network sees them.
+    the network sees them. Returns their rows and their elevations above the subject's centre [n].
     """
     n = len(azimuth)
     device = azimuth.device
@@ -188,7 +249,7 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     cameras = pack(rotation, translation, fov, size, subject_only=False)
     squeeze = torch.randn(n, device=device) * 0.12
     cameras[:, FOCAL] *= torch.stack([torch.exp(squeeze), torch.exp(-squeeze)], 1)
-    return cameras
+    return cameras, torch.asin(eye[:, 2] / eye.norm(dim=1))
 
 
 def mirrored_margins(photo, alpha, depth):
@@ -210,7 +271,7 @@ def mirrored_margins(photo, alpha, depth):
 
 def points(alpha, wanted):
     """A random point on every subject, drawn [n, 1, S, S]; nothing where none is wanted or there is no subject."""
-    n, size = alpha.shape[0], alpha.shape[-1]
+    size = alpha.shape[-1]
     solid = (alpha > 0.6).float().flatten(1)
     given = wanted & (solid.sum(1) > 0)
     index = (torch.rand_like(solid) * solid).argmax(1)
@@ -232,14 +293,16 @@ class SplatBatch(NamedTuple):
 
     rgba [n, 4, S, S]: subject on grey and mask. views [n, V, 4, 4]: from the canonical camera's frame to each truth
     view; the first one is the canonical camera itself. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
-    [n, V, 1, S, S], depth [n, V, S, S]. elevation [n] in radians. empty [n]: the crop shows nothing.
+    [n, V, 1, S, S]. front [n, S, S]: canonical depth of what the crop shows, 0 where that is nothing. camera [n, 4] of
+    the crop, as `nets.crop_rays` reads it. elevation [n] in radians. empty [n]: the crop shows nothing.
     """
 
     rgba: torch.Tensor
     views: torch.Tensor
     colour: torch.Tensor
     alpha: torch.Tensor
-    depth: torch.Tensor
+    front: torch.Tensor
+    camera: torch.Tensor
     elevation: torch.Tensor
     empty: torch.Tensor
 
@@ -251,9 +314,10 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     prims = recolour(pool.prims[chosen])
     counts = pool.counts[chosen]
     azimuth = uniform(chosen, 0, 6.283)
-    elevation = torch.where(uniform(chosen, 0, 1) < 0.2, uniform(chosen, -0.3, 0.1), uniform(chosen, -0.08, 0.95))
+    elevation = elevations(chosen)
     photo_fov = uniform(chosen, 0.2, 1.0)
-    rotation, translation = look_at(orbit(azimuth, elevation, 1.02 / torch.sin(photo_fov / 2)))
+    away = 1.02 / torch.sin(photo_fov / 2)
+    rotation, translation = look_at(orbit(azimuth, elevation, away))
     # The ground lies far below: nothing but the subject is in the picture, and nothing shades it from below.
     surroundings = environments(n, pool.grounds[chosen] - 1e3, device)
     each = torch.arange(n, device=device, dtype=torch.int32)
@@ -262,7 +326,9 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     fill = uniform(chosen, 0.82, 0.94)
     _, coarse, _ = cast(prims, counts, each, probe, surroundings, 64, 1)
     cameras, empty = crop(probe, coarse, size, fill)
-    rgb, alpha, _ = cast(prims, counts, each, cameras, surroundings, size, 2)
+    rgb, alpha, front = cast(prims, counts, each, cameras, surroundings, size, 2)
+    camera = crop_camera(cameras, away, size)
+    front = torch.where(front > 0, front + (distance - away)[:, None, None], front)
     alpha = alpha[:, None]
     mask = damaged(alpha)
     backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
@@ -274,7 +340,7 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     rotation, translation = truth_cameras(azimuth, elevation, distance, views)
     truth_fov = torch.full((n * views,), fov, device=device)
     cameras = pack(rotation.reshape(-1, 3, 3), translation.reshape(-1, 3), truth_fov, size, subject_only=True)
-    rgb, truth_alpha, depth = cast(prims, counts, each.repeat_interleave(views), cameras, surroundings, size, 2)
+    rgb, truth_alpha, _ = cast(prims, counts, each.repeat_interleave(views), cameras, surroundings, size, 2)
     rgb = rgb.reshape(n, views, 3, size, size)
     truth_alpha = truth_alpha.reshape(n, views, 1, size, size)
     return SplatBatch(
@@ -282,10 +348,20 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
         views=matrices(rotation, translation) @ inverses(*canonical)[:, None],
         colour=premultiplied(rgb, truth_alpha),
         alpha=truth_alpha,
-        depth=depth.reshape(n, views, size, size),
+        front=front,
+        camera=camera,
         elevation=elevation,
         empty=empty,
     )
+
+
+def crop_camera(cameras, away, size):
+    """What `nets.crop_rays` reads [n, 4], of cameras [n, 20] that look at the origin from `away` [n]."""
+    unit = away / cameras[:, FOCAL.start]
+    half = size / 2
+    size_at_centre = torch.log(half * unit / CROP_HALF)
+    middle = [(half - cameras[:, c]) * unit for c in (CENTRE_X, CENTRE_Y)]
+    return torch.stack([size_at_centre, *middle, torch.log(1 / away / CROP_NEARNESS)], 1)
 
 
 def damaged(alpha):

@@ -149,9 +149,47 @@ def bust(kit):
     kit.add(BALL, (0.02, 0.2, 0.9), (0.05, 0.03, 0.08), material=skin, mirror=True)
 
 
-def quadruped(kit):
-    """Dogs, cats, horses, cows, giraffes, elephants and what lies between."""
+def sitting(kit):
+    """Dogs, cats, hares, bears on their haunches: the back slopes, the forelegs stand."""
     rng = kit.rng
+    fur = fur_material(kit)
+    second = fur if kit.chance(0.6) else fur_material(kit)
+    fat, long, lean = rng.uniform(0.2, 0.36), rng.uniform(0.45, 0.8), np.radians(rng.uniform(40, 75))
+    along = np.array([np.cos(lean), 0, np.sin(lean)])
+    rump = np.array([0, 0, fat])
+    chest = rump + along * long
+    slope = turn("y", -np.degrees(lean))
+    kit.add(BALL, (rump + chest) / 2, (long * 0.65, fat * 0.85, fat * 0.95), rotation=slope, material=fur)
+    kit.add(BALL, rump + [0.02, 0, 0], (fat * 1.1, fat * rng.uniform(1, 1.25), fat), material=fur)
+    kit.add(BALL, chest, (fat * 0.95, fat * 0.85, fat * 1.05), material=second if kit.chance(0.3) else fur)
+    leg = fat * rng.uniform(0.2, 0.36)
+    fore = chest + [rng.uniform(0.02, 0.2), fat * 0.55, -chest[2] + leg * 0.6]
+    kit.chain([chest + [0.05, fat * 0.5, 0], fore], [leg * 1.2, leg * 0.8], fur, mirror=True)
+    kit.add(BALL, fore + [leg * 0.8, 0, 0], (leg * 1.7, leg, leg * 0.7), material=second, mirror=True)
+    thigh = rump + [fat * 0.5, fat * 0.85, -fat * 0.25]
+    kit.add(BALL, thigh, (fat * 0.8, fat * 0.4, fat * 0.75), material=fur, mirror=True)
+    kit.add(BALL, (thigh[0] + fat * 0.7, thigh[1] + fat * 0.1, leg * 0.7), (leg * 2.4, leg, leg * 0.7), material=second, mirror=True)
+    neck = chest + [rng.uniform(0, 0.15), 0, fat * rng.uniform(0.9, 1.6)]
+    kit.chain([chest + [0, 0, fat * 0.3], neck], [fat * 0.75, fat * 0.5], fur)
+    head = fat * rng.uniform(0.55, 0.85)
+    kit.add(BALL, neck + [head * 0.25, 0, head * 0.3], (head * 1.05, head * 0.9, head * 0.85), material=fur)
+    snout = head * rng.uniform(0.3, 1.2)
+    kit.chain([neck + [head * 0.7, 0, head * 0.15], neck + [head * 0.8 + snout, 0, head * rng.uniform(-0.2, 0.1)]], [head * 0.5, head * 0.32], second)
+    ear = head * rng.uniform(0.3, 1.3)
+    hang = rng.choice([-1, 1, 1])
+    kit.add(BALL, neck + [0, head * 0.7, head * 0.7 + hang * ear * 0.5], (ear * 0.2, ear * 0.4, ear), rotation=turn("x", -20), material=second, mirror=True)
+    dark = kit.material(dark=True, gloss=0.5)
+    kit.add(BALL, neck + [head * 1.05, head * 0.4, head * 0.55], (head * 0.12,) * 3, material=dark, mirror=True)
+    tail = rng.uniform(0.2, 0.7)
+    kit.chain([rump + [-fat * 0.8, 0, -fat * 0.6], (-fat - tail, rng.uniform(-0.2, 0.2), rng.uniform(0.05, 0.4))], [fat * 0.2, fat * 0.1], second)
+
+
+def quadruped(kit):
+    """Dogs, cats, horses, cows, giraffes, elephants and what lies between; some sit."""
+    rng = kit.rng
+    if kit.chance(0.25):
+        sitting(kit)
+        return
     fur = fur_material(kit)
     second = fur if kit.chance(0.5) else fur_material(kit)
     long, tall = rng.uniform(0.5, 1.1), rng.uniform(0.35, 1.3)

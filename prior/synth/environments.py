@@ -77,7 +77,7 @@ def environments(n, ground, device="cuda"):
     wall_kind = torch.where(studio, torch.zeros_like(wall_kind), wall_kind)
     ground_kind = torch.where(studio, torch.full_like(ground_kind, EARTH), ground_kind)
 
-    ambient = torch.where(dull | studio, uniform(0.6, 1.15), uniform(0.25, 0.8))
+    ambient = torch.where(dull | studio, uniform(0.6, 1.15), uniform(0.14, 0.8))
     ambient = torch.where(night, uniform(0.12, 0.45), ambient)
     fog = torch.where(uniform(0, 1) < 0.2, uniform(0, 0.08), uniform(0, 0.008))
     rest = [

@@ -26,10 +26,38 @@ def exposed(photo):
     photo = photo.clamp(1e-4, 1) ** torch.exp(normal(1, 0.17))
     photo = photo * torch.exp(normal(1, 0.16) + normal(3, 0.04))
     grey = photo.mean(1, keepdim=True)
-    photo = grey + (photo - grey) * torch.exp(normal(1, 0.18))
+    photo = grey + (photo - grey) * torch.exp(0.05 + normal(1, 0.25))
+    # The steep middle of a camera's tone curve.
+    photo = photo.clamp(0, 1)
+    steep = chance(0.5) * torch.rand(n, 1, 1, 1, device=device)
+    photo = photo + steep * (photo * photo * (3 - 2 * photo) - photo)
     photo = torch.where(chance(0.02), grey.expand_as(photo), photo)
     photo = photo + torch.where(chance(0.15), torch.rand(n, 1, 1, 1, device=device) * 0.15, 0.0) * (1 - photo)
     return torch.where(chance(0.3), photo * vignette(n, photo.shape[-1], device), photo)
+
+
+def defocused(photo, alpha, depth):
+    """In a quarter of the photos [n, 3, S, S], what lies before and behind the subject out of focus.
+
+    alpha [n, S, S]: coverage by the subject; depth [n, S, S], 0 = infinitely far.
+    """
+    n = len(photo)
+    device = photo.device
+    away = 1 / depth.clamp(min=0.1) * (depth > 0)
+    inside = (alpha > 0.5).float()
+    focus = (away * inside).sum((1, 2), keepdim=True) / inside.sum((1, 2), keepdim=True).clamp(min=1)
+    off = ((away - focus).abs() / focus.clamp(min=0.05) * 2).clamp(0, 1)[:, None]
+    used = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.25, torch.rand(n, 1, 1, 1, device=device) + 0.4, 0.0)
+    around = 1 - alpha[:, None]
+    size = photo.shape[-1]
+    soft = photo
+    for reach in (size // 64, size // 32):
+        # The subject's own colours do not bleed into what is around it.
+        sheet = torch.cat([soft * around, around], 1)
+        sheet = F.avg_pool2d(F.pad(sheet, (reach,) * 4, mode="replicate"), 2 * reach + 1, 1)
+        soft = torch.where(sheet[:, 3:] > 0.02, sheet[:, :3] / sheet[:, 3:].clamp(min=0.02), soft)
+    share = (used * off).clamp(0, 1) * around
+    return photo + share * (soft - photo)
 
 
 def stored(photo):

@@ -110,6 +110,16 @@ __device__ void ruffle(const float* p, float* n) {
     n[2] = n[2] * scale + 1.6f * (value_noise(p[0] * 37, p[1] * 37 + 90, p[2] * 37) - .5f);
 }
 
+// Dents, grain, folds: some primitives' normals N waver with the noise at the world point p.
+__device__ void roughen(const float* q, const float* p, float* N) {
+    float own = part(q[PATTERN_OFFSET] * .618f + q[FREQUENCY] * 1.7f), f = 3 + 60 * part(own * 7.3f);
+    if (own > .45f) return;
+    float strength = .15f + 2.2f * own, o = q[PATTERN_OFFSET];
+    for (int i = 0; i < 3; i++) N[i] += strength * (value_noise(p[0] * f + o + 17 * i, p[1] * f, p[2] * f) - .5f);
+    float scale = rsqrtf(dot(N, N) + 1e-9f);
+    for (int i = 0; i < 3; i++) N[i] *= scale;
+}
+
 struct Sample {
     float colour[3];
     float z;  // camera z of what was hit
@@ -131,6 +141,7 @@ __device__ Sample trace(const Scene& scene, const float* E, const float* o, cons
         for (int i = 0; i < 3; i++) N[i] = R[i] * n[0] + R[3 + i] * n[1] + R[6 + i] * n[2];
         float scale = rsqrtf(dot(N, N));
         for (int i = 0; i < 3; i++) N[i] *= scale;
+        roughen(q, p, N);
         paint(q, p, out.colour);
         out.subject = q[SUBJECT] > .5f;
         gloss = q[GLOSS];

@@ -14,11 +14,11 @@ pub struct Weights {
     pub onnx: &'static [u8],
 }
 
-/// Photo → subject mask and inverse depth.
+/// Photo → subject mask, inverse depth and the camera's elevation.
 pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.2",
-    sha256: "07181070b454efcaad61dac3878bd183d5742a4e7ce6f0de9dc554e850ee6d43",
+    version: "0.3",
+    sha256: "f734d3b269a2bccb9958d3a01e9cd6eb1c372b4d8686fc30c39902ab6c805fc7",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 

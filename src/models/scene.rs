@@ -51,6 +51,28 @@ pub struct Subject {
     pub scale: (f32, f32),
     /// The photo's own alpha gave the mask.
     pub from_cutout: bool,
+    /// Of the camera above the subject's centre, as the surroundings tell it.
+    pub elevation: Elevation,
+}
+
+/// A camera's elevation above the horizon, as a network guesses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Elevation {
+    /// Radians.
+    pub mean: f32,
+    /// The error's expected magnitude, radians: the scale of a Laplace distribution.
+    pub spread: f32,
+}
+
+impl Elevation {
+    /// Both guesses as one: the mean weighed by precision, 1 / spread². Errors of guesses on one photo go together, so
+    /// the spread stays that of the better one.
+    #[must_use]
+    pub fn joined(self, other: Self) -> Self {
+        let precision = |e: Self| e.spread.max(1e-3).powi(-2);
+        let (a, b) = (precision(self), precision(other));
+        Self { mean: (a * self.mean + b * other.mean) / (a + b), spread: self.spread.min(other.spread) }
+    }
 }
 
 /// Tells the subject from the rest and how far things are.
@@ -70,7 +92,11 @@ pub fn subject(
         "scene network",
         graph,
         &[Port::new("image", &[1, 4, SIZE, SIZE])],
-        &[Port::new("mask", &[1, 1, SIZE, SIZE]), Port::new("inverse_depth", &[1, 1, SIZE, SIZE])],
+        &[
+            Port::new("mask", &[1, 1, SIZE, SIZE]),
+            Port::new("inverse_depth", &[1, 1, SIZE, SIZE]),
+            Port::new("elevation", &[1, 2]),
+        ],
     )?;
     if contrast(photo) < 0.01 {
         return Err(no_subject("one even colour"));
@@ -91,6 +117,7 @@ pub fn subject(
     let mut mask = first.mask;
     keep_central(&mut mask, 0.35, fringe, focus);
     let mut depth = first.depth;
+    let mut elevation = first.elevation;
     if let Some(found) = bounds(&mask, 0.5) {
         let rect = canvas.around(found);
         let inside = deepest(&mask, 0.5).map(|[x, y]| [x * pw as f32 / w as f32, y * ph as f32 / h as f32]);
@@ -99,6 +126,7 @@ pub fn subject(
             *a = 0.4 * *a + 0.6 * b;
         }
         keep_central(&mut mask, 0.35, fringe, focus);
+        elevation = mean(&[elevation, second.elevation]);
         if let Some(rect) = rect {
             canvas.refine_depth(&mut depth, &second.depth, rect);
         }
@@ -117,7 +145,13 @@ pub fn subject(
     }
     normalise(&mut depth);
     let bounds = check(&mask, point.is_none())?;
-    Ok(Subject { mask, depth, bounds, scale: (pw as f32 / w as f32, ph as f32 / h as f32), from_cutout })
+    Ok(Subject { mask, depth, bounds, scale: (pw as f32 / w as f32, ph as f32 / h as f32), from_cutout, elevation })
+}
+
+/// Of guesses by one network.
+fn mean(guesses: &[Elevation]) -> Elevation {
+    let of = |value: fn(&Elevation) -> f32| guesses.iter().map(value).sum::<f32>() / guesses.len() as f32;
+    Elevation { mean: of(|e| e.mean), spread: of(|e| e.spread) }
 }
 
 /// Takes the filter's faint halo to 0 and its fill to 1; one half stays.
@@ -196,6 +230,14 @@ fn scaled(r: Rect, across: f32, down: f32) -> Rect {
 struct Look {
     mask: Plane,
     depth: Plane,
+    elevation: Elevation,
+}
+
+/// What one run of the network answers, [`SIZE`]² pixels.
+struct Answer {
+    mask: Plane,
+    depth: Plane,
+    elevation: Elevation,
 }
 
 /// The photo and the working grid laid over it.
@@ -237,14 +279,16 @@ impl Canvas<'_> {
         let side = (part.width * part.height).sqrt();
         let square = scaled(part, side / part.width, side / part.height);
         let wide = scaled(part, MARGIN, MARGIN);
-        let mut mask = self.unfold(&self.run(square, true, point, graph)?.0, square, Edge::Zero);
-        let other = self.unfold(&self.run(wide, false, point, graph)?.0, wide, Edge::Zero);
+        let (mirrored, margin) = (self.run(square, true, point, graph)?, self.run(wide, false, point, graph)?);
+        let mut mask = self.unfold(&mirrored.mask, square, Edge::Zero);
+        let other = self.unfold(&margin.mask, wide, Edge::Zero);
         mask.data.iter_mut().zip(&other.data).for_each(|(a, b)| *a = a.max(*b).clamp(0.0, 1.0));
-        Ok(Look { mask, depth: self.unfold(&squashed.1, part, Edge::Clamp) })
+        let elevation = mean(&[squashed.elevation, mirrored.elevation, margin.elevation]);
+        Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation })
     }
 
     /// One run: mask and inverse depth as the network gives them, turned back if mirrored.
-    fn run(&self, rect: Rect, mirror: bool, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<(Plane, Plane)> {
+    fn run(&self, rect: Rect, mirror: bool, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Answer> {
         let side = SIZE as f32;
         let prompt = point.map(|[x, y]| [(x - rect.x) / rect.width * side, (y - rect.y) / rect.height * side]);
         // A large part is as good from the working copy, at a fraction of the time.
@@ -261,12 +305,14 @@ impl Canvas<'_> {
         data.extend((0..SIZE * SIZE).map(|i| prompt.map_or(0.0, |p| mark(p, column(i % SIZE), i / SIZE))));
         let image = Tensor::new(&[1, 4, SIZE, SIZE], data)?;
         let mut outputs = graph.run(&[("image", &image)])?;
+        let elevation = take(&mut outputs, "elevation", 2)?;
+        let elevation = Elevation { mean: elevation[0], spread: elevation[1] };
         let mut plane = |name| -> Result<Plane> {
             let raw = take(&mut outputs, name, SIZE * SIZE)?;
             let data = (0..SIZE * SIZE).map(|i| raw[i / SIZE * SIZE + column(i % SIZE)]).collect();
             Ok(Plane { width: SIZE, height: SIZE, data })
         };
-        Ok((plane("mask")?, plane("inverse_depth")?))
+        Ok(Answer { mask: plane("mask")?, depth: plane("inverse_depth")?, elevation })
     }
 
     /// A plane over `rect` of the photo → the working grid.
@@ -356,7 +402,11 @@ mod tests {
             vec![Port::new("image", &[1, 4, SIZE, SIZE])]
         }
         fn outputs(&self) -> Vec<Port> {
-            vec![Port::new("mask", &[1, 1, SIZE, SIZE]), Port::new("inverse_depth", &[1, 1, SIZE, SIZE])]
+            vec![
+                Port::new("mask", &[1, 1, SIZE, SIZE]),
+                Port::new("inverse_depth", &[1, 1, SIZE, SIZE]),
+                Port::new("elevation", &[1, 2]),
+            ]
         }
         fn run(&self, _: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
             panic!("asked")
@@ -383,6 +433,7 @@ mod tests {
             Ok(vec![
                 ("mask".into(), Tensor::new(&[1, 1, SIZE, SIZE], mask)?),
                 ("inverse_depth".into(), Tensor::new(&[1, 1, SIZE, SIZE], depth)?),
+                ("elevation".into(), Tensor::new(&[1, 2], vec![0.2, 0.05])?),
             ])
         }
     }

@@ -5,7 +5,7 @@
 //! handed, Z up, +Y where the camera pointed (horizontally), +X to the photo's right.
 
 use super::align::fit_intrinsics;
-use super::scene::Subject;
+use super::scene::{Elevation, Subject};
 use super::{Graph, Port, Tensor, check_contract, take};
 use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
 use crate::splat::{Camera, Gaussians, SH_C0};
@@ -22,6 +22,8 @@ pub const FILL: f32 = 0.88;
 pub const DISTANCE: f32 = 3.9;
 /// Field of view, radians.
 pub const FOV: f32 = std::f32::consts::PI / 6.0;
+/// How far off the network's elevation is, radians: its mean error on the development set (`prior/README.md`).
+const SPREAD: f32 = 0.1;
 /// The crop is handed on at no more than this.
 const LARGEST_CROP: usize = 512;
 
@@ -30,7 +32,7 @@ const LARGEST_CROP: usize = 512;
 pub struct OneView {
     /// Subject unit frame.
     pub gaussians: Gaussians,
-    /// Of the camera above the horizon, radians; from the network.
+    /// Of the camera above the horizon, radians; from both networks.
     pub elevation: f32,
     /// The camera that took `colour`: canonical pose, focal length and principal point fitted to the mask.
     pub camera: Camera,
@@ -72,8 +74,9 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
         opacity: take(&mut outputs, "opacity", COUNT)?,
         color: take(&mut outputs, "color", 3 * COUNT)?,
     };
+    let own = Elevation { mean: take(&mut outputs, "elevation", 1)?[0], spread: SPREAD };
     // Trained on −17° to 54°; beyond that the guess is no better than the bound.
-    let elevation = take(&mut outputs, "elevation", 1)?[0].clamp(-0.35, 1.0);
+    let elevation = own.joined(subject.elevation).mean.clamp(-0.35, 1.0);
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
         return Err(Error::usage("photo")
@@ -236,6 +239,7 @@ mod tests {
             bounds: [20, 10, 60, 30],
             scale: (4.0, 4.0),
             from_cutout: false,
+            elevation: Elevation { mean: 0.2, spread: 0.05 },
         };
         let crop = crop_around(&subject);
         assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
