@@ -3,6 +3,8 @@
 //! A first run makes a key of 3072 bits in the user's data folder, readable by that user only. Such a key gives
 //! integrity; it does not bind a person, and anything above UNCLASSIFIED asks for a key that was named on purpose.
 
+mod encrypted;
+
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
 use std::path::Path;
@@ -15,6 +17,7 @@ use rsa::pkcs1v15;
 use rsa::pkcs8::DecodePublicKey as _;
 use rsa::signature::Verifier as _;
 use rsa::traits::PublicKeyParts as _;
+use zeroize::Zeroizing;
 
 use super::canonical::sha256_hex;
 use super::data_folder::DataFolder;
@@ -40,6 +43,16 @@ pub enum KeySource {
     UserData,
     /// Named by `--key`.
     NamedFile,
+}
+
+/// Sizes of keys that Orb makes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Bits {
+    #[default]
+    #[value(name = "3072")]
+    B3072,
+    #[value(name = "4096")]
+    B4096,
 }
 
 impl KeySource {
@@ -128,6 +141,44 @@ impl std::fmt::Debug for SigningKey {
     }
 }
 
+/// Where a passphrase comes from; read only when a key needs it.
+pub trait Passphrase {
+    /// # Errors
+    /// When there is none.
+    fn read(&self) -> Result<Zeroizing<String>>;
+}
+
+/// A key file that was named, and what opens it.
+#[derive(Clone, Copy)]
+pub struct Named<'a> {
+    pub path: &'a Path,
+    pub passphrase: Option<&'a dyn Passphrase>,
+}
+
+impl<'a> From<&'a Path> for Named<'a> {
+    fn from(path: &'a Path) -> Self {
+        Named { path, passphrase: None }
+    }
+}
+
+impl<'a> From<&'a std::path::PathBuf> for Named<'a> {
+    fn from(path: &'a std::path::PathBuf) -> Self {
+        Named::from(path.as_path())
+    }
+}
+
+/// The first line of a file that only its owner can read.
+///
+/// # Errors
+/// [`Kind::Policy`], `KEY_PERMISSIONS`; [`Kind::Environment`] when it cannot be read; [`Kind::Usage`] when it is no text.
+pub fn passphrase_file(path: &Path) -> Result<Zeroizing<String>> {
+    let metadata = fs::metadata(path).map_err(|e| Error::io(path, &e))?;
+    check_private(path, &metadata)?;
+    let bytes = Zeroizing::new(disk::read_limited(path, pem::MAX_BYTES)?);
+    let text = std::str::from_utf8(&bytes).map_err(|_| Error::usage(path.display().to_string()).expected("text"))?;
+    Ok(Zeroizing::new(text.lines().next().unwrap_or_default().to_owned()))
+}
+
 /// A key for a run, and what the user should be told about it.
 #[derive(Debug)]
 pub struct KeyForRun {
@@ -138,12 +189,16 @@ pub struct KeyForRun {
 }
 
 impl SigningKey {
-    /// A new RSA-3072 key; takes about a third of a second.
+    /// A new RSA key of so many bits, 3072 or 4096; takes about a third of a second.
     ///
     /// # Errors
     /// [`Kind::Environment`] when the system gives no randomness.
-    pub fn generate(source: KeySource) -> Result<SigningKey> {
-        let pair = KeyPair::generate(KeySize::Rsa3072)
+    pub fn generate(source: KeySource, bits: Bits) -> Result<SigningKey> {
+        let size = match bits {
+            Bits::B3072 => KeySize::Rsa3072,
+            Bits::B4096 => KeySize::Rsa4096,
+        };
+        let pair = KeyPair::generate(size)
             .map_err(|_| Error::environment("key generation").found("the cryptographic library failed"))?;
         SigningKey::from_pair(pair, source).map_err(|found| Error::environment("key generation").found(found))
     }
@@ -155,12 +210,13 @@ impl SigningKey {
         Ok(SigningKey { pair, public, source })
     }
 
-    /// Reads a PKCS#8 PEM file that only its owner can read.
+    /// Reads a PKCS#8 PEM file, encrypted or not, that only its owner can read.
     ///
     /// # Errors
     /// [`Kind::Environment`] when the file cannot be read; [`Kind::Policy`] when others may read it or the key is too
     /// weak; [`Kind::Usage`] when it is not a key.
-    pub fn load(path: &Path, source: KeySource) -> Result<SigningKey> {
+    pub fn load<'a>(named: impl Into<Named<'a>>, source: KeySource) -> Result<SigningKey> {
+        let Named { path, passphrase } = named.into();
         let subject = path.display().to_string();
         let metadata = fs::metadata(path).map_err(|e| {
             Error::io(path, &e).advice("`orb audit keygen -o FILE` makes a key; name it with --key FILE.")
@@ -169,15 +225,31 @@ impl SigningKey {
             return Err(Error::usage(subject).expected("a PEM file").found("something else"));
         }
         check_private(path, &metadata)?;
-        let bytes = disk::read_limited(path, pem::MAX_BYTES)?;
+        let bytes = Zeroizing::new(disk::read_limited(path, pem::MAX_BYTES)?);
         let not_a_key = |found: String| {
             Error::usage(path.display().to_string())
-                .expected("an unencrypted RSA private key in PKCS#8 PEM form")
+                .expected("an RSA private key in PKCS#8 PEM form")
                 .found(found)
-                .advice("`openssl pkcs8 -topk8 -nocrypt -in OLD.pem -out NEW.pem` converts other forms.")
+                .advice("`openssl pkcs8 -topk8 -v2 aes-256-cbc -in OLD.pem -out NEW.pem` converts other forms.")
         };
-        let text = String::from_utf8(bytes).map_err(|_| not_a_key("bytes that are not text".into()))?;
-        let der = pem::decode(PRIVATE_LABEL, &text).map_err(not_a_key)?;
+        let text = std::str::from_utf8(&bytes).map_err(|_| not_a_key("bytes that are not text".into()))?;
+        let der = if text.contains(encrypted::LABEL) {
+            let sealed = pem::decode(encrypted::LABEL, text).map_err(not_a_key)?;
+            let passphrase = passphrase.ok_or_else(|| {
+                Error::policy(path.display().to_string())
+                    .expected("a passphrase for an encrypted key")
+                    .found("PASSPHRASE_REQUIRED: none")
+                    .advice("Say where it is with --key-passphrase file:PATH, env:NAME or prompt.")
+            })?;
+            let opened = encrypted::decrypt(&sealed, &passphrase.read()?).map_err(|found| {
+                Error::policy(path.display().to_string())
+                    .expected("the passphrase that opens the key")
+                    .found(format!("PASSPHRASE_REFUSED: {found}"))
+            })?;
+            Zeroizing::new(opened.as_bytes().to_vec())
+        } else {
+            Zeroizing::new(pem::decode(PRIVATE_LABEL, text).map_err(not_a_key)?)
+        };
         let pair = KeyPair::from_pkcs8(&der).map_err(|e| {
             Error::policy(path.display().to_string())
                 .expected(format!("an RSA key of {MIN_BITS} to {MAX_BITS} bits"))
@@ -187,11 +259,12 @@ impl SigningKey {
             .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))
     }
 
-    /// Writes the private key (mode 0600 from its creation) and, beside it, `FILE.pub.pem`. Never over a file.
+    /// Writes the private key (mode 0600 from its creation), under a passphrase if one is given, and beside it
+    /// `FILE.pub.pem`. Never over a file.
     ///
     /// # Errors
     /// [`Kind::Usage`] when one of them exists; [`Kind::Environment`] when they cannot be written.
-    pub fn save(&self, path: &Path) -> Result<()> {
+    pub fn save(&self, path: &Path, passphrase: Option<&str>) -> Result<()> {
         let public_path = public_path(path);
         for path in [path, &public_path] {
             if fs::symlink_metadata(path).is_ok() {
@@ -205,7 +278,11 @@ impl SigningKey {
             .pair
             .as_der()
             .map_err(|_| Error::environment(path.display().to_string()).found("the key cannot be encoded"))?;
-        write_private(path, pem::encode(PRIVATE_LABEL, der.as_ref()).as_bytes())?;
+        let text = match passphrase {
+            None => pem::encode(PRIVATE_LABEL, der.as_ref()),
+            Some(words) => pem::encode(encrypted::LABEL, encrypted::encrypt(der.as_ref(), words)?.as_bytes()),
+        };
+        write_private(path, Zeroizing::new(text).as_bytes())?;
         let written = Disk::default().write_new(&public_path, self.public.to_pem().as_bytes());
         if let Err(error) = written {
             // Half a key pair would stand in the way of the next attempt.
@@ -242,9 +319,9 @@ impl SigningKey {
 ///
 /// # Errors
 /// [`Kind::Policy`], `KEY_REQUIRED`, for CUI and above without a named key; else as [`SigningKey::load`].
-pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<&Path>) -> Result<KeyForRun> {
+pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<Named<'_>>) -> Result<KeyForRun> {
     let (key, created) = match named {
-        Some(path) => (SigningKey::load(path, KeySource::NamedFile)?, false),
+        Some(named) => (SigningKey::load(named, KeySource::NamedFile)?, false),
         None if marking.needs_named_key() => {
             return Err(Error::policy("--key")
                 .expected(format!("a signing key named for a product marked {marking}"))
@@ -269,10 +346,10 @@ fn own_key(data: &DataFolder) -> Result<(SigningKey, bool)> {
     if fs::symlink_metadata(&path).is_ok() {
         return Ok((SigningKey::load(&path, KeySource::UserData)?, false));
     }
-    let key = SigningKey::generate(KeySource::UserData)?;
+    let key = SigningKey::generate(KeySource::UserData, Bits::default())?;
     // A kill between the two files leaves a public key without its private half: it is worth nothing.
     let _ = fs::remove_file(public_path(&path));
-    key.save(&path)?;
+    key.save(&path, None)?;
     Disk::default().sync_dir(&folder)?;
     Ok((key, true))
 }
@@ -322,12 +399,12 @@ fn check_private(_: &Path, _: &fs::Metadata) -> Result<()> {
 ///
 /// # Errors
 /// As [`SigningKey::save`].
-pub fn keygen(path: &Path) -> Result<SigningKey> {
+pub fn keygen(path: &Path, bits: Bits, passphrase: Option<&str>) -> Result<SigningKey> {
     if path.file_name().is_none() {
         return Err(Error::new(Kind::Usage, path.display().to_string()).expected("the name of a new file"));
     }
-    let key = SigningKey::generate(KeySource::NamedFile)?;
-    key.save(path)?;
+    let key = SigningKey::generate(KeySource::NamedFile, bits)?;
+    key.save(path, passphrase)?;
     Ok(key)
 }
 

@@ -318,6 +318,80 @@ pub(crate) mod tests {
         assert!(!text.contains("null"));
     }
 
+    /// The words of JSON Schema that say which members there are and of what type; patterns are for
+    /// `tests/clients/check_sidecars.py`.
+    fn fits(schema: &serde_json::Value, value: &serde_json::Value) -> bool {
+        use serde_json::Value;
+        let is_type = |name: &str| match name {
+            "object" => value.is_object(),
+            "array" => value.is_array(),
+            "string" => value.is_string(),
+            "integer" => value.is_i64() || value.is_u64(),
+            "boolean" => value.is_boolean(),
+            other => panic!("type {other}"),
+        };
+        let properties = schema["properties"].as_object();
+        let members_fit = |(name, member): (&String, &Value)| match properties.and_then(|p| p.get(name)) {
+            Some(known) => fits(known, member),
+            None => match &schema["additionalProperties"] {
+                Value::Object(_) => fits(&schema["additionalProperties"], member),
+                other => *other != Value::Bool(false),
+            },
+        };
+        schema["type"].as_str().is_none_or(is_type)
+            && schema.get("const").is_none_or(|c| c == value)
+            && schema["enum"].as_array().is_none_or(|all| all.contains(value))
+            && schema["anyOf"].as_array().is_none_or(|all| all.iter().any(|s| fits(s, value)))
+            && schema["required"].as_array().is_none_or(|all| all.iter().all(|n| !value[n.as_str().unwrap()].is_null()))
+            && value.as_object().is_none_or(|o| o.iter().all(members_fit))
+            && value.as_array().is_none_or(|a| a.iter().all(|v| fits(&schema["items"], v)))
+    }
+
+    /// What Orb writes is valid by the published schema, what the strict reader refuses is not.
+    #[test]
+    fn records_follow_the_published_schema() {
+        use crate::audit::marking::authority::Authority;
+        let schema: serde_json::Value = serde_json::from_str(crate::audit::statement::RECORD_SCHEMA).unwrap();
+        let value = |d: &RecordDraft| -> serde_json::Value {
+            serde_json::from_slice(&sealed(d).unwrap().envelope.payload).unwrap()
+        };
+        let mut full = draft();
+        full.notes = Some("a note".into());
+        full.inputs[0].marking = Some("SECRET//REL TO USA, GBR".into());
+        full.handling = Handling {
+            authority: Some(Authority {
+                classified_by: "J. Doe, analyst".into(),
+                derived_from: "Multiple Sources".into(),
+                declassify_on: "20400101".into(),
+                date_of_origin: "20261121".into(),
+                sources: vec!["A".into(), "B".into()],
+            }),
+            raised_reason: Some("compilation".into()),
+            ..Marking::parse("TOP SECRET//ORCON/REL TO USA, GBR//LIMDIS").unwrap().into()
+        };
+        for d in [draft(), full.clone()] {
+            assert!(fits(&schema, &value(&d)));
+        }
+        let changes: [fn(&mut serde_json::Value); 9] = [
+            |v| v["extra"] = 1.into(),
+            |v| v["predicate"]["extra"] = 1.into(),
+            |v| v["predicate"]["marking"]["authority"]["reason"] = "1.4(c)".into(),
+            |v| v["predicate"]["params"]["seed"] = 7.5.into(),
+            |v| v["predicate"]["params"]["seed"] = serde_json::Value::Null,
+            |v| v["predicate"]["chain"]["seq"] = "0".into(),
+            |v| v["predicate"]["event"]["outcome"] = "maybe".into(),
+            |v| v["predicate"]["schema"] = "orb.audit/v2".into(),
+            |v| drop(v["predicate"].as_object_mut().unwrap().remove("marking")),
+        ];
+        for (i, change) in changes.iter().enumerate() {
+            let mut v = value(&full);
+            change(&mut v);
+            assert!(!fits(&schema, &v), "change {i}");
+            let bytes = crate::audit::canonical::to_vec(&v).unwrap_or_else(|_| v.to_string().into_bytes());
+            assert!(Statement::parse(&bytes).is_err(), "change {i}");
+        }
+    }
+
     #[test]
     fn the_same_run_gives_the_same_record() {
         let (a, b) = (sealed(&draft()).unwrap(), sealed(&draft()).unwrap());

@@ -18,6 +18,8 @@ pub const STATEMENT_TYPE: &str = "https://in-toto.io/Statement/v1";
 /// A name, not an address: `.invalid` belongs to nobody (RFC 2606), and nothing is ever fetched.
 pub const PREDICATE_TYPE: &str = "https://orb.invalid/orb/audit-record/v1";
 pub const SCHEMA: &str = "orb.audit/v1";
+/// JSON Schema (draft 2020-12) of a record's payload.
+pub const RECORD_SCHEMA: &str = include_str!("../../docs/record.schema.json");
 /// `chain.prev` of a ledger's first record.
 pub const GENESIS: &str = "0000000000000000000000000000000000000000000000000000000000000000";
 

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::dsse::{Envelope, PAYLOAD_TYPE};
 use super::keys::tests::{other_key, shared_key};
-use super::keys::{KeySource, PublicKey, SigningKey};
+use super::keys::{Bits, KeySource, PublicKey, SigningKey};
 use super::ledger::Ledger;
 use super::ledger_check::tests::{forged, ledger};
 use super::ledger_check::{LedgerRequest, verify_ledger};
@@ -318,7 +318,7 @@ const LEDGERS: [LedgerCase<'_>; 13] = [
         &["KEY_UNTRUSTED"],
         1,
         |l| {
-            let stranger = SigningKey::generate(KeySource::NamedFile).unwrap();
+            let stranger = SigningKey::generate(KeySource::NamedFile, Bits::default()).unwrap();
             l[..3].concat() + &forged(&l[3], &stranger, |_| {})
         },
         Keeps::Nothing,
@@ -349,7 +349,7 @@ fn make_the_tamper_corpus() {
         let _ = fs::remove_dir_all(root.join(part));
         fs::create_dir_all(root.join(part)).unwrap();
     }
-    let unknown = SigningKey::generate(KeySource::NamedFile).unwrap();
+    let unknown = SigningKey::generate(KeySource::NamedFile, Bits::default()).unwrap();
     fs::write(root.join("trusted.pub.pem"), shared_key().public().to_pem()).unwrap();
     fs::write(root.join("also-trusted.pub.pem"), other_key().public().to_pem()).unwrap();
     fs::write(root.join("photo.jpg"), b"photo").unwrap();

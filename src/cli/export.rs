@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 
 use super::bar::Bar;
 use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
 use crate::audit::statement::Param;
@@ -104,9 +105,8 @@ pub struct ExportArgs {
     #[command(flatten)]
     pub marking: MarkingArgs,
 
-    /// Signing key (PKCS#8 PEM). Needed for CUI and above.
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
 
     /// No progress, no summary.
     #[arg(short, long)]
@@ -133,7 +133,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    let mut run = SealedRun::begin(&output, args.replace, handling, args.key.as_deref(), args.quiet)?;
+    let mut run = SealedRun::begin(&output, args.replace, handling, &args.key, args.quiet)?;
     let store = args.cdb.as_deref().map(OpenStore::open).transpose()?;
     let bar = Bar::new(stop, args.quiet);
 

@@ -19,6 +19,7 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::networks::{self, NetworkArgs};
 use super::sealed::{Evidence, SealedRun};
@@ -106,9 +107,8 @@ pub struct GeoArgs {
     #[command(flatten)]
     pub marking: MarkingArgs,
 
-    /// Signing key (PKCS#8 PEM). Needed for CUI and above; below that a key is made on the first run.
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
 
     /// Version of SPZ files.
     #[arg(long, value_enum, default_value_t)]
@@ -269,7 +269,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let handling = args.marking.decide(&inputs, &time::now()?.utc())?;
     let product = handling.marking.clone();
 
-    let mut run = SealedRun::begin(&plan.output, args.replace, handling, args.key.as_deref(), args.quiet)?;
+    let mut run = SealedRun::begin(&plan.output, args.replace, handling, &args.key, args.quiet)?;
     let store = match &args.cdb {
         Some(root) => Some(OpenStore::open(root)?),
         None => None,

@@ -9,6 +9,7 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::geo::{self, Quality};
+use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
 use crate::audit::statement::Param;
@@ -33,9 +34,8 @@ pub struct Reconstruct {
     pub replace: bool,
     #[command(flatten)]
     pub marking: MarkingArgs,
-    /// Signing key (PKCS#8 PEM). Needed for CUI and above.
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
     #[arg(long, value_enum, default_value = "standard")]
     pub quality: Quality,
     /// Optimisation steps, in place of what the quality and this machine suggest.
@@ -67,7 +67,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
-    let mut sealed = SealedRun::begin(&output, args.replace, handling, args.key.as_deref(), args.quiet)?;
+    let mut sealed = SealedRun::begin(&output, args.replace, handling, &args.key, args.quiet)?;
     let gpu = args.device.open_quietly(&mut |line| {
         if !args.quiet {
             eprintln!("orb: {line}");

@@ -11,6 +11,7 @@ use serde_json::json;
 use super::bar::Bar;
 use super::cameras;
 use super::device::Device;
+use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
 use crate::audit::inband;
@@ -53,9 +54,8 @@ pub struct Render {
     pub device: Device,
     #[command(flatten)]
     pub marking: MarkingArgs,
-    /// Signing key (PKCS#8 PEM). Needed for CUI and above.
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
     /// Replace a folder that Orb published earlier.
     #[arg(long)]
     pub replace: bool,
@@ -72,7 +72,7 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let input = record::input(&name, &bytes, "application/ply", "scene", own);
-    let mut sealed = SealedRun::begin(&args.output, args.replace, handling, args.key.as_deref(), args.quiet)?;
+    let mut sealed = SealedRun::begin(&args.output, args.replace, handling, &args.key, args.quiet)?;
     let bar = Bar::new(stop, args.quiet);
     let mut say = |line: &str| {
         if !args.quiet {
@@ -246,7 +246,7 @@ mod tests {
             background: vec![0.0; 3],
             device: Device::Cpu,
             marking: MarkingArgs::default(),
-            key: None,
+            key: KeyArgs::default(),
             replace: false,
             quiet: true,
         };

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::key::KeyArgs;
 use crate::audit::marking::handling::Handling;
 use crate::audit::statement::{Input, Model, Param};
 use crate::audit::{DataFolder, Destination, Ledger, Publication, Published, RecordDraft, SigningKey};
@@ -33,15 +34,9 @@ impl SealedRun {
     ///
     /// # Errors
     /// As [`keys::for_marking`] and [`Publication::begin`].
-    pub fn begin(
-        folder: &Path,
-        replace: bool,
-        handling: Handling,
-        key: Option<&Path>,
-        quiet: bool,
-    ) -> Result<SealedRun> {
+    pub fn begin(folder: &Path, replace: bool, handling: Handling, key: &KeyArgs, quiet: bool) -> Result<SealedRun> {
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-        let key = keys::for_marking(&data, &handling.marking, key)?;
+        let key = keys::for_marking(&data, &handling.marking, key.named())?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");
         }

@@ -5,13 +5,13 @@ use super::*;
 /// One key for all tests: making one takes a third of a second.
 pub(crate) fn shared_key() -> &'static SigningKey {
     static KEY: OnceLock<SigningKey> = OnceLock::new();
-    KEY.get_or_init(|| SigningKey::generate(KeySource::NamedFile).unwrap())
+    KEY.get_or_init(|| SigningKey::generate(KeySource::NamedFile, Bits::default()).unwrap())
 }
 
 /// Another one, for signatures by somebody else.
 pub(crate) fn other_key() -> &'static SigningKey {
     static KEY: OnceLock<SigningKey> = OnceLock::new();
-    KEY.get_or_init(|| SigningKey::generate(KeySource::NamedFile).unwrap())
+    KEY.get_or_init(|| SigningKey::generate(KeySource::NamedFile, Bits::default()).unwrap())
 }
 
 fn write_key_of(bits: KeySize, path: &Path) {
@@ -44,12 +44,12 @@ fn both_implementations_verify_what_was_signed() {
 fn saved_and_loaded() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("unit.pem");
-    shared_key().save(&path).unwrap();
+    shared_key().save(&path, None).unwrap();
     let loaded = SigningKey::load(&path, KeySource::NamedFile).unwrap();
     assert_eq!(loaded.public(), shared_key().public());
     let public = fs::read_to_string(dir.path().join("unit.pub.pem")).unwrap();
     assert_eq!(PublicKey::from_pem(&public).unwrap(), *shared_key().public());
-    let again = shared_key().save(&path).unwrap_err();
+    let again = shared_key().save(&path, None).unwrap_err();
     assert_eq!(again.kind, Kind::Usage);
     #[cfg(unix)]
     {
@@ -108,7 +108,7 @@ fn a_short_key_is_warned_about() {
     let data = DataFolder::at(dir.path().join("data"));
     let path = dir.path().join("k.pem");
     write_key_of(KeySize::Rsa2048, &path);
-    let run = for_marking(&data, &Marking::SECRET, Some(&path)).unwrap();
+    let run = for_marking(&data, &Marking::SECRET, Some(path.as_path().into())).unwrap();
     assert!(run.warning.unwrap().contains("2048 bits"));
     assert!(!run.created);
 }
@@ -138,4 +138,106 @@ fn first_runs_at_once_make_one_key() {
     assert!(runs.iter().all(|r| r.key.public() == runs[0].key.public()));
     let trusted = crate::audit::trust::TrustStore::load(&data, &[]).unwrap();
     assert!(trusted.get(runs[0].key.public().fingerprint()).is_some());
+}
+
+struct Words(&'static str);
+
+impl Passphrase for Words {
+    fn read(&self) -> Result<Zeroizing<String>> {
+        Ok(Zeroizing::new(self.0.to_owned()))
+    }
+}
+
+#[test]
+fn keys_under_a_passphrase() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("sealed.pem");
+    shared_key().save(&path, Some("correct horse")).unwrap();
+    assert!(fs::read_to_string(&path).unwrap().starts_with("-----BEGIN ENCRYPTED PRIVATE KEY-----"));
+    let load = |words: Option<&'static str>| {
+        let words = words.map(Words);
+        let passphrase = words.as_ref().map(|w| w as &dyn Passphrase);
+        SigningKey::load(Named { path: &path, passphrase }, KeySource::NamedFile)
+    };
+    assert_eq!(load(Some("correct horse")).unwrap().public(), shared_key().public());
+    assert!(load(None).unwrap_err().found.contains("PASSPHRASE_REQUIRED"));
+    for wrong in ["", "correct horses"] {
+        let error = load(Some(wrong)).unwrap_err();
+        assert!(error.kind == Kind::Policy && error.found.contains("PASSPHRASE_REFUSED"), "{error}");
+    }
+    // OpenSSL reads it, and Orb reads OpenSSL's, with scrypt too.
+    let openssl = |args: &[&str]| {
+        let done = std::process::Command::new("openssl").args(args).current_dir(dir.path()).output();
+        match done {
+            Ok(done) => {
+                assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+                true
+            }
+            Err(_) => {
+                assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "cannot run: openssl is not installed");
+                eprintln!("skipped: openssl is not installed");
+                false
+            }
+        }
+    };
+    let words = "pass:correct horse";
+    if !openssl(&["pkcs8", "-in", "sealed.pem", "-passin", words, "-out", "open.pem"]) {
+        return;
+    }
+    for (name, how) in [("pbkdf2.pem", &["-v2", "aes-256-cbc"][..]), ("scrypt.pem", &["-scrypt"])] {
+        let args = ["pkcs8", "-topk8", "-in", "open.pem", "-passout", words, "-out", name];
+        openssl(&[&args[..], how].concat());
+        let path = dir.path().join(name);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt as _;
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+        }
+        let named = Named { path: &path, passphrase: Some(&Words("correct horse")) };
+        assert_eq!(SigningKey::load(named, KeySource::NamedFile).unwrap().public(), shared_key().public(), "{name}");
+    }
+}
+
+#[test]
+fn a_passphrase_stands_on_the_first_line_of_a_private_file() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("words");
+    write_private(&path, b"correct horse\nbattery\n").unwrap();
+    assert_eq!(passphrase_file(&path).unwrap().as_str(), "correct horse");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o644)).unwrap();
+        assert!(passphrase_file(&path).unwrap_err().found.contains("KEY_PERMISSIONS"));
+    }
+}
+
+/// Google's Project Wycheproof, RSASSA-PKCS1-v1_5 with SHA-256: every valid signature under an acceptable key is taken, no
+/// invalid one is, and those that leave a parameter out are taken by neither rule nor accident.
+#[test]
+fn wycheproof_vectors() {
+    use wycheproof::TestResult;
+    use wycheproof::rsa_pkcs1_verify::{TestName, TestSet};
+    let (mut taken, mut refused) = (0, 0);
+    for name in [TestName::Rsa2048Sha256, TestName::Rsa3072Sha256, TestName::Rsa4096Sha256] {
+        for group in &TestSet::load(name).unwrap().test_groups {
+            let key = PublicKey::from_spki(&group.der);
+            for test in &group.tests {
+                let verified = key.as_ref().map(|k| k.verify(&test.msg, &test.sig));
+                match (test.result, verified) {
+                    (TestResult::Valid, Ok(verified)) => assert_eq!(verified, Ok(true), "{name:?} {}", test.tc_id),
+                    (TestResult::Valid, Err(why)) => {
+                        assert!(why.contains("exponent"), "{name:?} {}: {why}", test.tc_id)
+                    }
+                    (TestResult::Invalid | TestResult::Acceptable, Ok(verified)) => {
+                        assert_ne!(verified, Ok(true), "{name:?} {}: {}", test.tc_id, test.comment);
+                        refused += 1;
+                    }
+                    (TestResult::Invalid | TestResult::Acceptable, Err(_)) => refused += 1,
+                }
+                taken += usize::from(test.result == TestResult::Valid && key.is_ok());
+            }
+        }
+    }
+    assert!(taken > 20 && refused > 600, "{taken} {refused}");
 }

@@ -232,3 +232,53 @@ fn published_folders_stand_in_the_ledger() {
     assert_eq!(report.findings[0].code, "FOLDER_NOT_FOUND");
     assert_eq!(report.exit_code, 0);
 }
+
+/// `cargo test --release --lib a_hundred_thousand -- --ignored --nocapture` prints how long a
+/// hundred thousand records take to verify, how much memory, and what one more costs at the end of a long ledger.
+#[test]
+#[ignore = "signs 100,000 records: minutes"]
+fn a_hundred_thousand_records() {
+    use std::io::Write as _;
+    use std::time::Instant;
+    const RECORDS: u64 = 100_000;
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("orb-ledger.jsonl");
+    let mut file = std::io::BufWriter::new(fs::File::create(&path).unwrap());
+    let mut next = None;
+    for n in 0..RECORDS {
+        let mut d = draft();
+        d.time.unix_ms += n;
+        d.event_random[..8].copy_from_slice(&n.to_be_bytes());
+        let sealed = record::seal(&d, Vec::new(), Outcome::Success, None, next.take(), shared_key()).unwrap();
+        file.write_all(&sealed.envelope.to_line()).unwrap();
+        let chain = sealed.statement.predicate.chain;
+        next = Some(crate::audit::statement::Chain { seq: n + 1, prev: sealed.trail_hash, ..chain });
+    }
+    file.flush().unwrap();
+    let bytes = fs::metadata(&path).unwrap().len();
+    // VmHWM: the most that this process ever held.
+    let peak = || {
+        let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:").map(str::to_owned)).unwrap_or_default();
+        line.trim().trim_end_matches(" kB").parse::<u64>().unwrap_or(0)
+    };
+    let (before, began) = (peak(), Instant::now());
+    let report = check_with(&path, &[], false);
+    let (took, grown) = (began.elapsed().as_secs_f64(), peak().saturating_sub(before));
+    assert_eq!((report.counts.records, codes(&report)), (RECORDS, vec![]));
+    println!("{RECORDS} records, {} MiB: verified in {took:.1} s, {} MiB more memory", bytes >> 20, grown >> 10);
+    assert!(grown < 64 << 10, "{grown} KiB");
+
+    let mut ledger = Ledger::at(path);
+    append(&mut ledger, 200);
+    let began = Instant::now();
+    (0..20).for_each(|i| append(&mut ledger, 201 + i));
+    let long = began.elapsed().as_secs_f64() / 20.0;
+    let (_short_dir, short) = self::ledger(2);
+    let mut short = Ledger::at(short);
+    let began = Instant::now();
+    (0..20).for_each(|i| append(&mut short, 201 + i));
+    let short = began.elapsed().as_secs_f64() / 20.0;
+    println!("appending: {:.1} ms after 2 records, {:.1} ms after {RECORDS}", 1e3 * short, 1e3 * long);
+    assert!(long < 3.0 * short + 0.01);
+}

@@ -9,6 +9,7 @@ use crate::audit::disk::Disk;
 use crate::audit::keys::{self, KeySource};
 use crate::audit::ledger_check::{self, LedgerRequest};
 use crate::audit::{DataFolder, Ledger, Marking, SigningKey, TrustStore, archive, time};
+use crate::cli::key::KeyArgs;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -55,9 +56,8 @@ pub struct CheckpointArgs {
     /// The checkpoint's file; it must not exist
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Sign with this key (PKCS#8 PEM) and not with the user's own
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
 }
 
 #[derive(Debug, Args)]
@@ -65,9 +65,8 @@ pub struct ArchiveArgs {
     /// The folder to make; it must not exist
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// Sign with this key (PKCS#8 PEM) and not with the user's own
-    #[arg(long, value_name = "FILE")]
-    pub key: Option<PathBuf>,
+    #[command(flatten)]
+    pub key: KeyArgs,
 }
 
 #[derive(Debug, Args)]
@@ -106,7 +105,7 @@ fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
-    let key = key(args.key.as_deref(), data)?;
+    let key = key(&args.key, data)?;
     let made = Ledger::at(ledger_path(None, data)).checkpoint()?.ok_or_else(|| {
         Error::incomplete("the ledger")
             .expected("at least one record")
@@ -129,7 +128,7 @@ fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
-    let key = key(args.key.as_deref(), data)?;
+    let key = key(&args.key, data)?;
     let mut random = [0; 10];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
     let ledger = Ledger::at(ledger_path(None, data));
@@ -155,9 +154,9 @@ pub(super) fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
 }
 
 /// The named key, else the user's own.
-fn key(named: Option<&Path>, data: &DataFolder) -> Result<SigningKey> {
-    match named {
-        Some(path) => SigningKey::load(path, KeySource::NamedFile),
+fn key(args: &KeyArgs, data: &DataFolder) -> Result<SigningKey> {
+    match args.named() {
+        Some(named) => SigningKey::load(named, KeySource::NamedFile),
         None => Ok(keys::for_marking(data, &Marking::UNCLASSIFIED, None)?.key),
     }
 }

@@ -10,11 +10,13 @@ use clap::{Args, Subcommand};
 
 use crate::audit::by_hand;
 use crate::audit::events;
-use crate::audit::keys;
+use crate::audit::keys::{self, Bits, Passphrase};
 use crate::audit::report::Verdict;
 use crate::audit::statement::Outcome::{Failure, Success};
+use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
 use crate::audit::{DataFolder, TrustStore, time};
+use crate::cli::key::PassphraseSource;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -37,6 +39,8 @@ pub enum AuditVerb {
     Report(report::ReportArgs),
     /// Write a verified record for another system: OSCAL, SLSA, Civium
     Export(export::ExportArgs),
+    /// Print the JSON Schema of a record
+    Schema,
     /// List the kinds of events that are recorded, and the records of the ledger
     Events(EventsArgs),
 }
@@ -89,6 +93,12 @@ pub struct KeygenArgs {
     /// The private key's file; it must not exist
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
+    /// Length of the modulus.
+    #[arg(long, value_enum, default_value_t)]
+    pub bits: Bits,
+    /// Encrypt the private key; where the passphrase is: file:PATH (its first line), env:NAME, or prompt
+    #[arg(long, value_name = "SOURCE")]
+    pub passphrase: Option<PassphraseSource>,
 }
 
 /// What a verb prints on standard output, and how it ends.
@@ -110,6 +120,7 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Report(args) => report::run(args, data),
         AuditVerb::Export(args) => export::run(args, data),
         AuditVerb::Events(args) => list_events(args, data),
+        AuditVerb::Schema => Ok(Outcome { text: RECORD_SCHEMA.into(), exit_code: 0 }),
         AuditVerb::Ledger(args) => ledger::run(args, data),
     }
 }
@@ -188,7 +199,8 @@ pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
-    let key = keys::keygen(&args.output)?;
+    let passphrase = args.passphrase.as_ref().map(Passphrase::read).transpose()?;
+    let key = keys::keygen(&args.output, args.bits, passphrase.as_ref().map(|p| p.as_str()))?;
     events::log(data, "key.generate", "orb audit keygen", Success, None)?;
     let text = format!(
         "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
