@@ -7,7 +7,7 @@ use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
-use super::{Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras};
+use super::{Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras, thin};
 use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::{Error, Result};
@@ -20,7 +20,7 @@ pub(super) fn build(
     progress: &dyn Progress,
 ) -> Result<Model> {
     progress.begin("fuse", options.views as u64);
-    let volume = solid(render, options, progress)?;
+    let volume = solid(render, photos, options, progress)?;
     progress.begin("simplify", options.levels as u64);
     let surface = closed_surface(&volume);
     if surface.triangles.len() < 4 || surface.volume() <= 0.0 {
@@ -68,23 +68,41 @@ pub(super) fn build(
 struct Solid {
     volume: Volume,
     ground: Option<f32>,
+    /// The same without the thin parts that [`thin`] put back, where it did: for levels of so few vertices that they cost too
+    /// much.
+    without: Option<Volume>,
 }
 
-fn solid(render: &(dyn Fn(&Camera) -> View + Sync), options: &Options, progress: &dyn Progress) -> Result<Solid> {
+fn solid(
+    render: &(dyn Fn(&Camera) -> View + Sync),
+    photos: &[PhotoView],
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Solid> {
     let mut maps = Vec::with_capacity(options.views);
     for (done, camera) in surrounding_cameras(options.views, options.view_size).iter().enumerate() {
         progress.check()?;
         maps.push(DepthMap::new(&rendered(render, camera)?));
         progress.step(done as u64 + 1);
     }
+    // The photos' own views: they make room in the grid for what only they show.
+    let shown = photos.iter().map(|p| rendered(render, &p.camera)).collect::<Result<Vec<View>>>()?;
+    maps.extend(shown.iter().map(DepthMap::new));
     let mut volume = fuse(&maps, options.voxels)?;
     drop(maps);
     progress.check()?;
     clean::thin_thick_parts(&mut volume);
+    let mut without = volume.clone();
+    let restored = photos.iter().zip(&shown).map(|(p, v)| thin::restore(&mut volume, v, p.mask)).sum::<usize>();
     clean::fill_cavities(&mut volume);
     clean::keep_what_belongs(&mut volume);
     let ground = clean::flatten_ground(&mut volume);
-    Ok(Solid { volume, ground })
+    if restored == 0 {
+        return Ok(Solid { volume, ground, without: None });
+    }
+    clean::fill_cavities(&mut without);
+    clean::keep_what_belongs(&mut without);
+    Ok(Solid { volume, ground, without: Some(without) })
 }
 
 fn closed_surface(solid: &Solid) -> Surface {
@@ -137,15 +155,16 @@ fn fit(
             && simplifier.vertices_left() > target.max(4)
             && !simplifier.drop_smallest_part()
         {
-            // Too many holes and handles for so few vertices: start from a volume in which they have closed.
+            // Too many holes and handles for so few vertices: start from a volume without them, then from one in which they
+            // have closed.
             let finer = coarser.as_ref().unwrap_or(solid);
-            let half = finer.volume.coarser();
+            let half = finer.without.clone().unwrap_or_else(|| finer.volume.coarser());
             if half.dims.iter().all(|n| *n <= 6) {
                 return Err(Error::usage("mesh")
                     .expected(format!("a shape that {cap} vertices can hold"))
                     .found(format!("{} vertices that cannot be fewer", simplifier.vertices_left())));
             }
-            let mut half = Solid { volume: half, ground: finer.ground };
+            let mut half = Solid { volume: half, ground: finer.ground, without: None };
             clean::fill_cavities(&mut half.volume);
             if let Some(ground) = half.ground {
                 clean::cut_below(&mut half.volume, ground);

@@ -1,6 +1,6 @@
 //! From rendered depth to a textured mesh in levels of detail.
 //!
-//! depth from all sides → [`fuse`] (signed distance) → [`clean`] (one solid) → [`extract`] (closed surface)
+//! depth from all sides → [`fuse`] (signed distance) → [`thin`] (what the photo shows) → [`clean`] (one solid) → [`extract`] (closed surface)
 //! → [`smooth`] → [`simplify`] → [`unwrap`] and [`pack`] (charts, atlas) → [`bake`] (texture) → [`Model`].
 //! [`levels`] reads like that line.
 //!
@@ -21,6 +21,7 @@ pub mod relax;
 pub mod simplify;
 pub mod smooth;
 pub mod source;
+pub mod thin;
 pub mod unwrap;
 
 #[cfg(test)]

@@ -135,6 +135,14 @@ pub fn boxed(x: f32, y: f32, z: f32) -> Scene {
     Scene::new(move |p| box_distance(p, Vec3::new(x, y, z)))
 }
 
+/// A box with a thin mast in the middle of its top, up to z = 0.6.
+pub fn boxed_with_mast(x: f32, y: f32, z: f32) -> Scene {
+    Scene::new(move |p| {
+        let mast = box_distance(p - Vec3::new(0.0, 0.0, z / 2.0 + 0.3), Vec3::new(0.015, 0.015, 0.3 - z / 2.0));
+        box_distance(p, Vec3::new(x, y, z)).min(mast)
+    })
+}
+
 /// 1.2 × 0.8, upright, facing y.
 pub fn plate(thickness: f32) -> Scene {
     Scene::new(move |p| box_distance(p, Vec3::new(0.6, thickness / 2.0, 0.4)))

@@ -126,6 +126,25 @@ fn a_thin_plate_survives_on_both_sides() {
 }
 
 #[test]
+fn a_mast_that_only_the_photo_shows_is_put_back() {
+    let (bare, rigged, options) = (scenes::boxed(0.6, 0.4, 0.2), scenes::boxed_with_mast(0.6, 0.4, 0.2), quick());
+    let photo = Camera::look_at(Vec3::new(3.2, -2.0, 0.2), Vec3::ZERO, 0.5, 256);
+    let render = |c: &Camera| if *c == photo { rigged.render(c) } else { bare.render(c) };
+    let view = rigged.render(&photo);
+    let photos = [PhotoView { mirrored: false, camera: photo, color: &view.color, mask: &view.alpha }];
+    let model = build(&render, &photos, &options, &Silent).unwrap();
+    check(&model, &options);
+    let mast = |m: &Mesh| m.positions.iter().filter(|p| p.z > 0.35).copied().collect::<Vec<Vec3>>();
+    let found = mast(&model.levels[0].mesh);
+    let top = found.iter().map(|p| p.z).fold(0.0, f32::max);
+    assert!(top > 0.55, "{top}");
+    // Where it stands, and no thicker than a few samples.
+    assert!(found.iter().all(|p| p.truncate().length() < 0.08), "{found:?}");
+    // Views that do not know of it alone make a plain box.
+    assert!(mast(&made(&bare, &options).levels[0].mesh).is_empty());
+}
+
+#[test]
 fn a_car_keeps_wheels_mast_and_the_gap_under_it() {
     let (scene, options) = (scenes::car(), quick());
     let model = made(&scene, &options);
