@@ -164,7 +164,7 @@ class SplatNet(nn.Module):
     def __init__(self, layers=2):
         super().__init__()
         self.layers = layers
-        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=11, heads=8)
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=19, heads=8)
         self.el = head(256, 2)
         self.camera = head(256, 4)
         with torch.no_grad():

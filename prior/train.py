@@ -29,6 +29,7 @@ LOG_SECONDS = 20
 STOP_EVERY = 20  # steps between two looks at the clock that all ranks share
 AVERAGE_EVERY = 4
 WARM_UP = 400  # steps
+SPIKE = 6  # times the usual gradient: such a step is left out
 
 
 def arguments():
@@ -107,6 +108,7 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
     start = logged = kept = time.time()
     seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
+    usual = torch.tensor(1.0, device="cuda")  # size of the gradient
     while True:
         elapsed = time.time() - start
         if step % STOP_EVERY == 0:
@@ -118,7 +120,8 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
         loss.backward()
         norm = torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
         # The fused optimizer leaves the weights as they are where this is 1; no need to look.
-        optimizer.found_inf = (~torch.isfinite(norm)).float()
+        optimizer.found_inf = (~torch.isfinite(norm) | (norm > SPIKE * usual)).float()
+        usual = usual.lerp(torch.minimum(norm.nan_to_num(0, 0, 0), 2 * usual), 0.01)
         optimizer.step()
         step += 1
         if step % AVERAGE_EVERY == 0:

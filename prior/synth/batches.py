@@ -324,8 +324,13 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
 
     probe = pack(rotation, translation, photo_fov * 1.1, 64, subject_only=True)
     fill = uniform(chosen, 0.82, 0.94)
+    # Some masks take in a piece of the ground; the crop is wider then, and the subject not in its middle.
+    leaky = uniform(chosen, 0, 1) < 0.3
+    fill = torch.where(leaky, uniform(chosen, 0.62, 0.94), fill)
     _, coarse, _ = cast(prims, counts, each, probe, surroundings, 64, 1)
     cameras, empty = crop(probe, coarse, size, fill)
+    aside = (torch.rand(n, 2, device=device) - 0.5) * (0.94 - fill).clamp(min=0)[:, None] * size
+    cameras[:, [CENTRE_X, CENTRE_Y]] += aside * leaky[:, None]
     rgb, alpha, front = cast(prims, counts, each, cameras, surroundings, size, 2)
     camera = crop_camera(cameras, away, size)
     front = torch.where(front > 0, front + (distance - away)[:, None, None], front)
@@ -333,7 +338,9 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     mask = damaged(alpha)
     backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
     # Its colours stay: the answer is to look like the photo.
-    photo = stored(composed(rgb, alpha, backdrop.clamp(0, 1)))
+    photo = composed(rgb, alpha, backdrop.clamp(0, 1))
+    photo, mask = leaked(photo, mask, alpha, leaky)
+    photo = stored(photo)
     rgba = torch.cat([photo * mask + GREY * (1 - mask), mask], 1)
 
     canonical = look_at(orbit(azimuth, elevation, torch.full_like(azimuth, distance)))
@@ -380,6 +387,28 @@ def damaged(alpha):
     along = torch.where(side == 0, across, torch.where(side == 1, 1 - across, torch.where(side == 2, down, 1 - down)))
     cut = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.1, torch.rand(n, 1, 1, 1, device=device) * 0.2, -1.0)
     return mask * (along > cut + 0.06 * (cut > 0))
+
+
+def leaked(photo, mask, alpha, leaky):
+    """Photos [n, 3, S, S] and masks [n, 1, S, S] with a piece of shaded ground beside the subject's foot, where leaky [n].
+
+    The piece lies within a tenth of the picture of the subject's coverage alpha [n, 1, S, S], in its lower part.
+    """
+    n, _, size, _ = alpha.shape
+    device = alpha.device
+    near = F.max_pool2d(F.max_pool2d(alpha, 13, 1, 6), 13, 1, 6) - alpha
+    rows = (torch.arange(size, device=device) + 0.5)[None, None, :, None]
+    foot = torch.where(alpha > 0.1, rows, torch.zeros_like(rows)).amax((2, 3), keepdim=True)
+    head = torch.where(alpha > 0.1, rows, torch.full_like(rows, float(size))).amin((2, 3), keepdim=True)
+    high = torch.rand(n, 1, 1, 1, device=device) * 0.4
+    low = (rows > foot - high * (foot - head)).float()
+    shape = F.interpolate(torch.randn(n, 1, 6, 6, device=device), size=size, mode="bicubic")
+    threshold = torch.rand(n, 1, 1, 1, device=device) * 0.8
+    piece = near.clamp(min=0) * low * torch.sigmoid((shape - threshold) * 20) * leaky[:, None, None, None]
+    grain = F.interpolate(torch.randn(n, 1, 32, 32, device=device), size=size, mode="bilinear")
+    shade = torch.rand(n, 3, 1, 1, device=device) * 0.15 + torch.rand(n, 1, 1, 1, device=device) ** 1.5 * 0.55
+    ground = (shade * (1 + 0.12 * grain)).clamp(0, 1)
+    return photo * (1 - piece) + ground * piece, torch.maximum(mask, piece)
 
 
 def truth_cameras(azimuth, elevation, distance, views):

@@ -22,11 +22,11 @@ pub static SCENE: Weights = Weights {
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
-/// Cropped subject → Gaussians and the camera's elevation.
+/// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.2",
-    sha256: "a0bb4029a7e3a384e0fb001248b73a733a6078a8f5ee97efb90750e70d6176e6",
+    version: "0.3",
+    sha256: "c7468cd8338870542b734162c4430065beaa022e51cedf41e6ad9d8e08de81b4",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

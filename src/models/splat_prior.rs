@@ -22,8 +22,6 @@ pub const FILL: f32 = 0.88;
 pub const DISTANCE: f32 = 3.9;
 /// Field of view, radians.
 pub const FOV: f32 = std::f32::consts::PI / 6.0;
-/// How far off the network's elevation is, radians: its mean error on the development set (`prior/README.md`).
-const SPREAD: f32 = 0.1;
 /// The crop is handed on at no more than this.
 const LARGEST_CROP: usize = 512;
 
@@ -34,7 +32,7 @@ pub struct OneView {
     pub gaussians: Gaussians,
     /// Of the camera above the horizon, radians; from both networks.
     pub elevation: f32,
-    /// The camera that took `colour`: canonical pose, focal length and principal point fitted to the mask.
+    /// The camera that took `colour`: where the network sees it, focal length and principal point fitted to the mask.
     pub camera: Camera,
     /// How well the Gaussians' silhouette meets the mask under `camera`: intersection over union.
     pub silhouette_iou: f32,
@@ -61,7 +59,8 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
             Port::new("rotation", &[1, COUNT, 4]),
             Port::any("opacity"),
             Port::new("color", &[1, COUNT, 3]),
-            Port::any("elevation"),
+            Port::new("elevation", &[1, 2]),
+            Port::new("camera", &[1, 4]),
         ],
     )?;
     let crop = crop_around(subject);
@@ -74,7 +73,9 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
         opacity: take(&mut outputs, "opacity", COUNT)?,
         color: take(&mut outputs, "color", 3 * COUNT)?,
     };
-    let own = Elevation { mean: take(&mut outputs, "elevation", 1)?[0], spread: SPREAD };
+    let own = take(&mut outputs, "elevation", 2)?;
+    let own = Elevation { mean: own[0], spread: own[1] };
+    let stands = take(&mut outputs, "camera", 4)?;
     // Trained on −17° to 54°; beyond that the guess is no better than the bound.
     let elevation = own.joined(subject.elevation).mean.clamp(-0.35, 1.0);
     let gaussians = canonical.to_subject_frame(elevation);
@@ -86,15 +87,34 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     }
     let size = (crop.width.round() as usize).clamp(SIZE, LARGEST_CROP);
     let mask = crop_mask(subject, crop, size);
-    let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &canonical_camera(elevation, size as u32), &mask);
+    let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &crop_camera(elevation, &stands, size as u32), &mask);
     let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
     Ok(OneView { gaussians, elevation, camera, silhouette_iou, crop, colour, mask })
 }
 
 /// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.
 pub fn canonical_camera(elevation: f32, size: u32) -> Camera {
-    let eye = DISTANCE * Vec3::new(0.0, -elevation.cos(), elevation.sin());
-    Camera::look_at(eye, Vec3::ZERO, FOV, size)
+    Camera::look_at(eye(elevation, DISTANCE), Vec3::ZERO, FOV, size)
+}
+
+fn eye(elevation: f32, distance: f32) -> Vec3 {
+    distance * Vec3::new(0.0, -elevation.cos(), elevation.sin())
+}
+
+/// The photo's camera as the network sees it: it looks as the canonical one does, from its own distance, and the crop is a
+/// part of its picture.
+///
+/// `stands` (`crop_rays` in `prior/nets.py`): log of half the crop's width at the subject's centre over what the
+/// canonical camera sees there; the crop's middle there, right and down; log of the camera's inverse distance over the
+/// canonical one's.
+fn crop_camera(elevation: f32, stands: &[f32], size: u32) -> Camera {
+    let distance = DISTANCE * (-stands[3].clamp(-1.5, 1.5)).exp();
+    let half = DISTANCE * (FOV / 2.0).tan() * stands[0].exp();
+    let pixels = size as f32 / 2.0 / half;
+    let focal = distance * pixels;
+    let camera = Camera::look_at(eye(elevation, distance), Vec3::ZERO, FOV, size);
+    let middle = |aside: f32| size as f32 / 2.0 - aside * pixels;
+    Camera { fx: focal, fy: focal, cx: middle(stands[1]), cy: middle(stands[2]), ..camera }
 }
 
 /// The square, in photo pixels, that the subject's box fills to [`FILL`]; it may reach outside the photo.
@@ -218,6 +238,22 @@ mod tests {
         let down = canonical_camera(e, 8).rotation.transpose() * Vec3::Y;
         assert!((long - down).length() < 1e-5, "{long} {down}");
         assert!((g.log_scales[0] - Vec3::new(0.1, 0.02, 0.03).map(f32::ln)).length() < 1e-5);
+    }
+
+    #[test]
+    fn the_crops_camera_sees_what_lies_on_its_rays() {
+        // `crop_rays` of a pixel: ((x, y) · half + middle) · (1 + nearness · (depth − 3.9)).
+        let (e, stands, depth) = (0.3f32, [-0.4f32, 0.1, -0.2, 0.5], 3.4f32);
+        let half = DISTANCE * (FOV / 2.0).tan() * stands[0].exp();
+        let spread = 1.0 + stands[3].exp() / DISTANCE * (depth - DISTANCE);
+        let beside = [(0.5 * half + stands[1]) * spread, (-0.25 * half + stands[2]) * spread];
+        let point = single([beside[0], beside[1], depth], [1.0, 0.0, 0.0, 0.0], 0.5).to_subject_frame(e).positions[0];
+        let camera = crop_camera(e, &stands, 200);
+        let seen = camera.rotation * point + camera.translation;
+        let (x, y) = (camera.fx * seen.x / seen.z + camera.cx, camera.fy * seen.y / seen.z + camera.cy);
+        assert!((x - 150.0).abs() < 1e-2 && (y - 75.0).abs() < 1e-2, "{x} {y}");
+        let (canonical, same) = (canonical_camera(e, 200), crop_camera(e, &[0.0; 4], 200));
+        assert!((canonical.fx - same.fx).abs() < 1e-2 && (canonical.translation - same.translation).length() < 1e-5);
     }
 
     #[test]

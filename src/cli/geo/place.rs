@@ -39,7 +39,7 @@ const GIMBAL_SIGMA: f64 = 3.0;
 const COMPASS_SIGMA: f64 = 5.0;
 const UNKNOWN_HEADING_SIGMA: f64 = 103.9;
 /// Of the network's elevation, degrees (`prior/README.md`), and of a gimbal's pitch.
-const NETWORK_ELEVATION_SIGMA: f64 = 5.8;
+const NETWORK_ELEVATION_SIGMA: f64 = 4.0;
 const PITCH_SIGMA: f64 = 1.5;
 /// Of a metric depth network's distances, relative: assumed, for photos unlike those that it was trained on.
 const METRIC_DEPTH_SIGMA: f64 = 0.25;
@@ -245,7 +245,7 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
         crop_side: crop.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),
-        canonical_distance: crate::models::splat_prior::DISTANCE,
+        canonical_distance: camera.position().length(),
         canonical_fov: 2.0 * (camera.width as f32 / 2.0 / camera.fx).atan(),
         focal_35mm: photo.exif.focal_35mm,
     };
