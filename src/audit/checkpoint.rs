@@ -110,7 +110,7 @@ impl Proof {
     /// One line of canonical JSON with a line feed.
     pub fn to_line(&self) -> Vec<u8> {
         // Strings and one integer always serialise.
-        let mut line = serde_json_canonicalizer::to_vec(self).unwrap_or_default();
+        let mut line = canonical::to_vec(self).unwrap_or_default();
         line.push(b'\n');
         line
     }
@@ -160,6 +160,7 @@ pub fn hash(text: &str) -> Option<Hash> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::keys::Algorithm;
     use crate::audit::keys::tests::shared_key;
     use crate::audit::record::{self, tests::draft};
     use crate::audit::statement::Outcome;
@@ -178,7 +179,10 @@ mod tests {
             let envelope = proof.envelope().unwrap();
             let checkpoint = Checkpoint::parse(&envelope).unwrap();
             assert_eq!((checkpoint.size, proof.index), (u64::from(n) + 1, u64::from(n)));
-            assert_eq!(shared_key().public().verify(&envelope.pae(), &envelope.signatures[0].sig), Ok(true));
+            assert_eq!(
+                shared_key().public().verify(&envelope.pae(), &envelope.signatures[0].sig),
+                Ok(Some(Algorithm::Rs256))
+            );
             let root = proof.root(&sealed.trail_hash, checkpoint.size).unwrap();
             assert_eq!(hex::encode(root), checkpoint.root);
             let other = proof.root(&"0".repeat(64), checkpoint.size).unwrap();

@@ -63,8 +63,8 @@ impl Envelope {
                 .map(|s| WireSignature { keyid: s.keyid.clone(), sig: STANDARD.encode(&s.sig) })
                 .collect(),
         };
-        // A struct of strings always serialises.
-        let mut line = serde_json_canonicalizer::to_vec(&wire).unwrap_or_default();
+        // Its fields stand in RFC 8785's order, and a struct of strings always serialises.
+        let mut line = serde_json::to_vec(&wire).unwrap_or_default();
         line.push(b'\n');
         line
     }

@@ -24,11 +24,21 @@ pub struct EventType {
 }
 
 /// Every kind of event, in the order of their names. All of them are always on.
-pub const EVENT_TYPES: [EventType; 8] = [
+pub const EVENT_TYPES: [EventType; 10] = [
     EventType {
         name: "key.generate",
         when: "orb audit keygen made a key and this user has a ledger",
         why: "who can sign, and since when",
+    },
+    EventType {
+        name: "key.revoke",
+        when: "orb audit key trust revoke and this user has a ledger",
+        why: "since when a key counts no more",
+    },
+    EventType {
+        name: "key.trust",
+        when: "orb audit key trust add and this user has a ledger",
+        why: "whose signatures count",
     },
     EventType {
         name: "ledger.close",

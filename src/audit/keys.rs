@@ -4,6 +4,7 @@
 //! integrity; it does not bind a person, and anything above UNCLASSIFIED asks for a key that was named on purpose.
 
 mod encrypted;
+mod second;
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
@@ -12,11 +13,8 @@ use std::path::Path;
 use aws_lc_rs::encoding::{AsDer, Pkcs8V1Der, PublicKeyX509Der};
 use aws_lc_rs::rand::SystemRandom;
 use aws_lc_rs::rsa::{KeyPair, KeySize};
-use aws_lc_rs::signature::{self, KeyPair as _, UnparsedPublicKey};
-use rsa::pkcs1v15;
-use rsa::pkcs8::DecodePublicKey as _;
-use rsa::signature::Verifier as _;
-use rsa::traits::PublicKeyParts as _;
+use aws_lc_rs::signature::{self, KeyPair as _, RsaParameters, RsaSignatureEncoding, UnparsedPublicKey};
+use serde::{Deserialize, Serialize};
 use zeroize::Zeroizing;
 
 use super::canonical::sha256_hex;
@@ -24,15 +22,57 @@ use super::data_folder::DataFolder;
 use super::disk::{self, Disk};
 use super::marking::Marking;
 use super::pem;
+use super::time;
+use super::trust::{self, CertChain, Signed, TrustStore};
 use crate::{Error, Kind, Result};
+use second::Second;
 
-/// The signature algorithm's name in records: RSASSA-PKCS1-v1_5 with SHA-256 (RFC 7518 §3.3).
-pub const ALGORITHM: &str = "RS256";
+/// A signature algorithm: RSASSA-PKCS1-v1_5 and a digest, by its name in RFC 7518 §3.3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+pub enum Algorithm {
+    /// With SHA-256.
+    #[default]
+    #[serde(rename = "RS256")]
+    #[value(name = "RS256", alias = "rs256")]
+    Rs256,
+    /// With SHA-384, as CNSA 1.0 asks for together with 3072 bits or more.
+    #[serde(rename = "RS384")]
+    #[value(name = "RS384", alias = "rs384")]
+    Rs384,
+}
+
+impl Algorithm {
+    /// All of them, strongest last.
+    pub const ALL: [Algorithm; 2] = [Algorithm::Rs256, Algorithm::Rs384];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Algorithm::Rs256 => "RS256",
+            Algorithm::Rs384 => "RS384",
+        }
+    }
+
+    fn encoding(self) -> &'static RsaSignatureEncoding {
+        match self {
+            Algorithm::Rs256 => &signature::RSA_PKCS1_SHA256,
+            Algorithm::Rs384 => &signature::RSA_PKCS1_SHA384,
+        }
+    }
+
+    fn verification(self) -> &'static RsaParameters {
+        match self {
+            Algorithm::Rs256 => &signature::RSA_PKCS1_2048_8192_SHA256,
+            Algorithm::Rs384 => &signature::RSA_PKCS1_2048_8192_SHA384,
+        }
+    }
+}
+
 const PRIVATE_LABEL: &str = "PRIVATE KEY";
 const PUBLIC_LABEL: &str = "PUBLIC KEY";
 /// Accepted sizes of the modulus, bits.
 const MIN_BITS: usize = 2048;
 const MAX_BITS: usize = 4096;
+const MIN_EXPONENT: u64 = 65_537;
 /// Below this a key works, with a warning.
 pub const ADVISED_BITS: usize = 3072;
 
@@ -69,8 +109,7 @@ impl KeySource {
 pub struct PublicKey {
     spki: Vec<u8>,
     /// The same key as the second implementation reads it.
-    second: pkcs1v15::VerifyingKey<rsa::sha2::Sha256>,
-    bits: usize,
+    second: Second,
     fingerprint: String,
 }
 
@@ -87,17 +126,17 @@ impl PublicKey {
     /// # Errors
     /// Words saying why the key is refused: not RSA, outside 2048..=4096 bits, or a public exponent below 65537.
     pub fn from_spki(spki: &[u8]) -> Result<PublicKey, String> {
-        let key = rsa::RsaPublicKey::from_public_key_der(spki)
-            .map_err(|e| format!("not an RSA public key of at most {MAX_BITS} bits ({e})"))?;
-        let bits = key.n().bits();
+        let second = Second::from_spki(spki)?;
+        let (bits, exponent) = (second.bits(), second.exponent());
         if !(MIN_BITS..=MAX_BITS).contains(&bits) {
             return Err(format!("an RSA key of {bits} bits; {MIN_BITS} to {MAX_BITS} are accepted"));
         }
-        if *key.e() < rsa::BigUint::from(65_537u32) {
-            return Err(format!("an RSA key with the public exponent {}; 65537 or more is accepted", key.e()));
+        if exponent < MIN_EXPONENT || exponent % 2 == 0 {
+            return Err(format!(
+                "an RSA key with the public exponent {exponent}; {MIN_EXPONENT} or more, odd, is accepted"
+            ));
         }
-        let second = pkcs1v15::VerifyingKey::new(key);
-        Ok(PublicKey { spki: spki.to_vec(), second, bits, fingerprint: sha256_hex(spki) })
+        Ok(PublicKey { spki: spki.to_vec(), second, fingerprint: sha256_hex(spki) })
     }
 
     pub fn from_pem(text: &str) -> Result<PublicKey, String> {
@@ -115,16 +154,29 @@ impl PublicKey {
     }
 
     pub fn bits(&self) -> usize {
-        self.bits
+        self.second.bits()
     }
 
-    /// True only when two independent implementations, aws-lc-rs and the `rsa` crate, both accept the signature.
+    /// True only when two independent implementations, aws-lc-rs and [`second`], both accept the signature.
     /// `Err` when they disagree, which must never happen.
-    pub fn verify(&self, message: &[u8], sig: &[u8]) -> Result<bool, String> {
-        let first =
-            UnparsedPublicKey::new(&signature::RSA_PKCS1_2048_8192_SHA256, &self.spki).verify(message, sig).is_ok();
-        let second = pkcs1v15::Signature::try_from(sig).is_ok_and(|sig| self.second.verify(message, &sig).is_ok());
-        if first == second { Ok(first) } else { Err(format!("aws-lc-rs says {first}, the rsa crate says {second}")) }
+    pub fn verify_by(&self, algorithm: Algorithm, message: &[u8], sig: &[u8]) -> Result<bool, String> {
+        let first = UnparsedPublicKey::new(algorithm.verification(), &self.spki).verify(message, sig).is_ok();
+        let second = self.second.verify(algorithm, message, sig);
+        if first == second {
+            Ok(first)
+        } else {
+            Err(format!("aws-lc-rs says {first}, the second implementation says {second}"))
+        }
+    }
+
+    /// The algorithm by which [`PublicKey::verify_by`] accepts the signature: a DSSE envelope does not name it.
+    pub fn verify(&self, message: &[u8], sig: &[u8]) -> Result<Option<Algorithm>, String> {
+        for algorithm in Algorithm::ALL {
+            if self.verify_by(algorithm, message, sig)? {
+                return Ok(Some(algorithm));
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -133,6 +185,8 @@ pub struct SigningKey {
     pair: KeyPair,
     public: PublicKey,
     source: KeySource,
+    algorithm: Algorithm,
+    chain: Option<CertChain>,
 }
 
 impl std::fmt::Debug for SigningKey {
@@ -153,11 +207,14 @@ pub trait Passphrase {
 pub struct Named<'a> {
     pub path: &'a Path,
     pub passphrase: Option<&'a dyn Passphrase>,
+    pub algorithm: Algorithm,
+    /// The key's certificates.
+    pub chain: Option<&'a Path>,
 }
 
 impl<'a> From<&'a Path> for Named<'a> {
     fn from(path: &'a Path) -> Self {
-        Named { path, passphrase: None }
+        Named { path, passphrase: None, algorithm: Algorithm::default(), chain: None }
     }
 }
 
@@ -207,7 +264,7 @@ impl SigningKey {
         let spki: PublicKeyX509Der<'_> =
             pair.public_key().as_der().map_err(|_| "the public key cannot be encoded".to_owned())?;
         let public = PublicKey::from_spki(spki.as_ref())?;
-        Ok(SigningKey { pair, public, source })
+        Ok(SigningKey { pair, public, source, algorithm: Algorithm::default(), chain: None })
     }
 
     /// Reads a PKCS#8 PEM file, encrypted or not, that only its owner can read.
@@ -216,7 +273,7 @@ impl SigningKey {
     /// [`Kind::Environment`] when the file cannot be read; [`Kind::Policy`] when others may read it or the key is too
     /// weak; [`Kind::Usage`] when it is not a key.
     pub fn load<'a>(named: impl Into<Named<'a>>, source: KeySource) -> Result<SigningKey> {
-        let Named { path, passphrase } = named.into();
+        let Named { path, passphrase, algorithm, chain } = named.into();
         let subject = path.display().to_string();
         let metadata = fs::metadata(path).map_err(|e| {
             Error::io(path, &e).advice("`orb audit keygen -o FILE` makes a key; name it with --key FILE.")
@@ -255,8 +312,13 @@ impl SigningKey {
                 .expected(format!("an RSA key of {MIN_BITS} to {MAX_BITS} bits"))
                 .found(format!("ALG_REFUSED: {e}"))
         })?;
-        SigningKey::from_pair(pair, source)
-            .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))
+        let key = SigningKey::from_pair(pair, source)
+            .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))?
+            .with_algorithm(algorithm)?;
+        match chain {
+            None => Ok(key),
+            Some(chain) => key.with_chain(chain),
+        }
     }
 
     /// Writes the private key (mode 0600 from its creation), under a passphrase if one is given, and beside it
@@ -299,7 +361,7 @@ impl SigningKey {
     pub fn sign(&self, message: &[u8]) -> Result<Vec<u8>> {
         let mut sig = vec![0; self.pair.public_modulus_len()];
         self.pair
-            .sign(&signature::RSA_PKCS1_SHA256, &SystemRandom::new(), message, &mut sig)
+            .sign(self.algorithm.encoding(), &SystemRandom::new(), message, &mut sig)
             .map_err(|_| Error::environment("signing").found("the cryptographic library failed"))?;
         Ok(sig)
     }
@@ -311,14 +373,58 @@ impl SigningKey {
     pub fn source(&self) -> KeySource {
         self.source
     }
+
+    pub fn algorithm(&self) -> Algorithm {
+        self.algorithm
+    }
+
+    /// The same key, signing by `algorithm`.
+    ///
+    /// # Errors
+    /// [`Kind::Policy`], `ALG_REFUSED`, where the profile that the algorithm belongs to wants a longer key.
+    pub fn with_algorithm(self, algorithm: Algorithm) -> Result<SigningKey> {
+        let bits = self.public.bits();
+        if algorithm == Algorithm::Rs384 && bits < ADVISED_BITS {
+            return Err(Error::policy("--algorithm RS384")
+                .expected(format!("an RSA key of {ADVISED_BITS} bits or more"))
+                .found(format!("ALG_REFUSED: {bits} bits")));
+        }
+        Ok(SigningKey { algorithm, ..self })
+    }
+
+    /// The certificates that say whose key it is.
+    pub fn chain(&self) -> Option<&CertChain> {
+        self.chain.as_ref()
+    }
+
+    /// The same key with the certificates of a PEM file, the signer's own first.
+    ///
+    /// # Errors
+    /// [`Kind::Policy`], `CERT_REFUSED`, for a file that holds none, or another key's; [`Kind::Environment`] when it
+    /// cannot be read.
+    pub fn with_chain(self, path: &Path) -> Result<SigningKey> {
+        let refused = |found: String| {
+            Error::policy(path.display().to_string())
+                .expected("the certificate of the signing key, then those up to an authority, in PEM form")
+                .found(format!("CERT_REFUSED: {found}"))
+        };
+        let bytes = disk::read_limited(path, pem::MAX_BYTES)?;
+        let chain = CertChain::from_pem(&String::from_utf8_lossy(&bytes)).map_err(refused)?;
+        if *chain.key() != self.public {
+            return Err(refused(format!("a certificate of the key {}", chain.key().fingerprint())));
+        }
+        Ok(SigningKey { chain: Some(chain), ..self })
+    }
 }
 
 /// The key for a product of this marking: the named file, or below CUI the user's own, made on the first run.
 ///
-/// Its public half is trusted from then on by this user. Two first runs at once make one key.
+/// Its public half is trusted from then on by this user, unless certificates came with it: then their authority has to be.
+/// Two first runs at once make one key.
 ///
 /// # Errors
-/// [`Kind::Policy`], `KEY_REQUIRED`, for CUI and above without a named key; else as [`SigningKey::load`].
+/// [`Kind::Policy`], `KEY_REQUIRED`, for CUI and above without a named key, `KEY_REVOKED`, `KEY_EXPIRED`, `KEY_SCOPE`,
+/// `CERT_EXPIRED`, `CERT_REVOKED` for one that this user's trust store objects to; else as [`SigningKey::load`].
 pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<Named<'_>>) -> Result<KeyForRun> {
     let (key, created) = match named {
         Some(named) => (SigningKey::load(named, KeySource::NamedFile)?, false),
@@ -330,10 +436,31 @@ pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<Named<'_>
         }
         None => own_key(data)?,
     };
-    super::trust::add(data, key.public())?;
-    let warning = (key.public.bits < ADVISED_BITS)
-        .then(|| format!("the signing key has {} bits; {ADVISED_BITS} or more are advised", key.public.bits));
+    if key.chain().is_none() {
+        trust::add(data, key.public())?;
+    }
+    check_standing(data, &key, marking)?;
+    let warning = (key.public.bits() < ADVISED_BITS)
+        .then(|| format!("the signing key has {} bits; {ADVISED_BITS} or more are advised", key.public.bits()));
     Ok(KeyForRun { key, created, warning })
+}
+
+/// A key that this user's own trust store objects to signs nothing.
+fn check_standing(data: &DataFolder, key: &SigningKey, marking: &Marking) -> Result<()> {
+    let signed = Signed { stated_ms: time::now()?.unix_ms, proven_ms: None };
+    let mut store = TrustStore::load(data, &[])?;
+    if let Some(chain) = key.chain() {
+        // Where no authority is trusted, others judge.
+        let _ = store.present(chain.clone());
+    }
+    let objections = store.judge(key.public().fingerprint(), signed, Some(marking));
+    match objections.into_iter().find(|o| !o.code.ends_with("_LATER")) {
+        None => Ok(()),
+        Some(o) => Err(Error::policy("--key")
+            .expected(o.expected)
+            .found(format!("{}: {}", o.code, o.actual))
+            .advice("Sign with another key; `orb audit key trust list` says what is said of each.")),
+    }
 }
 
 fn own_key(data: &DataFolder) -> Result<(SigningKey, bool)> {

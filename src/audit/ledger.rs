@@ -104,6 +104,7 @@ impl Ledger {
     ) -> Result<(Sealed, Opened)> {
         let next = end.last.as_ref().map(chain_after).transpose().map_err(|why| self.broken(why))?;
         let sealed = make(next)?;
+        self.keep_chain(key)?;
         let proof = Proof::of_next(&end.tree, &sealed, key)?;
         stage(&sealed, &proof)?;
         let line = sealed.envelope.to_line();
@@ -172,11 +173,31 @@ impl Ledger {
         if self.head_path().exists() {
             self.disk.rename(&self.head_path(), &folder.join("head.json"))?;
         }
+        let chains = chains_beside(&self.path);
+        if chains.is_dir() {
+            self.disk.rename(&chains, &folder.join("chains"))?;
+        }
         self.disk.rename(&self.path, &moved)?;
         for folder in [Some(folder), self.path.parent()].into_iter().flatten() {
             self.disk.sync_dir(folder)?;
         }
         Ok(checkpoint::Checkpoint::of(&locked.end.tree, &sealed.statement))
+    }
+
+    /// The certificates of the key, beside the ledger: what it signs here is verified from here.
+    fn keep_chain(&self, key: &SigningKey) -> Result<()> {
+        let Some(chain) = key.chain() else { return Ok(()) };
+        let folder = chains_beside(&self.path);
+        let path = folder.join(format!("{}.pem", chain.sha256().concat().get(..64).unwrap_or_default()));
+        if path.is_file() {
+            return Ok(());
+        }
+        self.disk.create_dir_all(&folder)?;
+        // What a killed run left.
+        let draft = path.with_extension("new");
+        let _ = std::fs::remove_file(&draft);
+        self.disk.write_new(&draft, chain.to_pem().as_bytes())?;
+        self.disk.rename(&draft, &path)
     }
 
     fn head_path(&self) -> PathBuf {
@@ -244,9 +265,8 @@ impl Ledger {
     /// The record on `line`, its trail hash and its spelling checked.
     fn read_line(&self, line: &[u8]) -> Result<Statement> {
         let envelope = Envelope::parse(line).map_err(|f| self.broken(format!("{}: {}", f.code(), f.detail())))?;
-        let (statement, canonical) =
-            Statement::parse(&envelope.payload).map_err(|f| self.broken(format!("{}: {}", f.code(), f.detail())))?;
-        let trail_hash = statement.trail_hash().map_err(|f| self.broken(f.detail().to_owned()))?;
+        let (statement, canonical, trail_hash) = Statement::parse_and_hash(&envelope.payload)
+            .map_err(|f| self.broken(format!("{}: {}", f.code(), f.detail())))?;
         if !canonical || statement.predicate.trail_hash.as_ref() != Some(&trail_hash) {
             return Err(self.broken("TRAIL_HASH_MISMATCH".into()));
         }
@@ -284,6 +304,11 @@ impl Ledger {
         }
         Ok(records)
     }
+}
+
+/// Where the certificates stand of those who signed a ledger.
+pub(super) fn chains_beside(ledger: &Path) -> PathBuf {
+    ledger.with_file_name("chains")
 }
 
 /// How `after` fails to be the record that follows `before`; `None` when it is.

@@ -15,12 +15,13 @@ use super::dsse::{Envelope, MAX_ENVELOPE_BYTES, PAYLOAD_TYPE};
 use super::ledger::{self, read_line_limited};
 use super::marking::Marking;
 use super::merkle::Frontier;
+use super::pem;
 use super::publication::RECORD;
-use super::record_check::{check_fields, check_signatures, read_statement};
+use super::record_check::{check_fields, check_signatures, check_standing, read_statement};
 use super::report::{Finding, Range, Report};
 use super::statement::{Outcome, Statement};
 use super::time;
-use super::trust::TrustStore;
+use super::trust::{CertChain, Signed, TrustStore};
 use super::verify::read_record;
 use crate::{Error, Result};
 
@@ -55,7 +56,8 @@ pub struct LedgerRequest<'a> {
 /// [`crate::Kind::Incomplete`] when there is none, [`crate::Kind::Environment`] when it cannot be read. Everything
 /// else is a finding.
 pub fn verify_ledger(request: &LedgerRequest<'_>) -> Result<Report> {
-    let mut walk = Walk::new(request)?;
+    let trust = &with_chains(request)?;
+    let mut walk = Walk::new(request, trust)?;
     let mut reader = open(request.ledger)?;
     let mut lines: Vec<Vec<u8>> = Vec::new();
     loop {
@@ -66,7 +68,7 @@ pub fn verify_ledger(request: &LedgerRequest<'_>) -> Result<Report> {
             lines.push(line);
         }
         if lines.len() == BATCH || !more || !whole {
-            let checked: Vec<Checked> = lines.par_iter().map(|line| check_line(line, request)).collect();
+            let checked: Vec<Checked> = lines.par_iter().map(|line| check_line(line, request, trust)).collect();
             for record in checked {
                 walk.step(record);
             }
@@ -138,6 +140,22 @@ fn open(ledger: &Path) -> Result<BufReader<File>> {
     Ok(BufReader::with_capacity(1 << 20, File::open(ledger).map_err(|e| Error::io(ledger, &e))?))
 }
 
+/// The trust store, and the keys of the certificates beside the ledger for which one of its authorities answers. One that
+/// leads nowhere shows where its key signed: as not trusted.
+fn with_chains(request: &LedgerRequest<'_>) -> Result<TrustStore> {
+    let mut trust = request.trust.clone();
+    let folder = ledger::chains_beside(request.ledger);
+    if folder.is_dir() {
+        for entry in disk::walk(&folder)?.iter().filter(|e| e.is_file) {
+            let text = disk::read_limited(&entry.path, pem::MAX_BYTES)?;
+            if let Ok(chain) = CertChain::from_pem(&String::from_utf8_lossy(&text)) {
+                let _ = trust.present(chain);
+            }
+        }
+    }
+    Ok(trust)
+}
+
 /// What can be said about a line alone.
 struct Checked {
     statement: Option<Statement>,
@@ -146,7 +164,7 @@ struct Checked {
     found: Vec<Finding>,
 }
 
-fn check_line(line: &[u8], request: &LedgerRequest<'_>) -> Checked {
+fn check_line(line: &[u8], request: &LedgerRequest<'_>, trust: &TrustStore) -> Checked {
     let mut found = Vec::new();
     let subject = "record";
     let envelope = match Envelope::parse(line) {
@@ -162,19 +180,20 @@ fn check_line(line: &[u8], request: &LedgerRequest<'_>) -> Checked {
     if envelope.payload_type != PAYLOAD_TYPE {
         found.push(Finding::new("TYPE_UNSUPPORTED", subject).expected(PAYLOAD_TYPE).actual(&envelope.payload_type));
     }
-    let signer = check_signatures(&envelope, request.trust, subject, &mut found);
+    let signer = check_signatures(&envelope, trust, subject, &mut found);
     let statement = read_statement(&envelope, subject, &mut found);
     if let Some(statement) = &statement {
-        check_fields(statement, signer, request.now_ms, subject, &mut found);
+        check_fields(statement, trust, signer, request.now_ms, &mut found);
     }
     // True of most ledgers and said once, in the records themselves.
     found.retain(|f| f.code != "TIME_UNSYNCED");
-    Checked { statement, signed_by: signer.map(|key| key.fingerprint().to_owned()), found }
+    Checked { statement, signed_by: signer.map(|s| s.key.fingerprint().to_owned()), found }
 }
 
 /// The walk along the chain.
 struct Walk<'a> {
     request: &'a LedgerRequest<'a>,
+    trust: &'a TrustStore,
     report: Report,
     tree: Frontier,
     before: Option<Statement>,
@@ -196,9 +215,10 @@ struct Anchor {
 }
 
 impl<'a> Walk<'a> {
-    fn new(request: &'a LedgerRequest<'a>) -> Result<Walk<'a>> {
+    fn new(request: &'a LedgerRequest<'a>, trust: &'a TrustStore) -> Result<Walk<'a>> {
         let mut walk = Walk {
             request,
+            trust,
             report: Report::new(request.trust),
             tree: Frontier::default(),
             before: None,
@@ -229,9 +249,15 @@ impl<'a> Walk<'a> {
 
     fn take_anchor(&mut self, name: String, envelope: &Envelope, kept_elsewhere: bool) {
         let mut found = Vec::new();
-        let signer = check_signatures(envelope, self.request.trust, &name, &mut found);
+        let signer = check_signatures(envelope, self.trust, &name, &mut found);
         match (Checkpoint::parse(envelope), signer) {
-            (Ok(checkpoint), Some(_)) => self.anchors.push(Anchor { name, checkpoint, kept_elsewhere }),
+            (Ok(checkpoint), Some(signer)) => {
+                let signed =
+                    Signed { stated_ms: time::parse_utc(&checkpoint.utc).unwrap_or_default(), proven_ms: None };
+                if check_standing(self.trust, signer, signed, None, &name, &mut found) {
+                    self.anchors.push(Anchor { name, checkpoint, kept_elsewhere });
+                }
+            }
             (Ok(_), None) => {}
             (Err(fault), _) => {
                 found.push(Finding::new(fault.code(), name).expected("a checkpoint").actual(fault.detail()))

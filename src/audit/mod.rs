@@ -25,6 +25,7 @@ pub mod publication;
 pub mod record;
 mod record_check;
 pub mod report;
+pub mod sbom;
 pub mod statement;
 pub mod store_merge;
 #[cfg(test)]

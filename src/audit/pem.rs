@@ -46,6 +46,19 @@ pub fn decode(label: &str, text: &str) -> Result<Vec<u8>, String> {
     Err("a PEM block without its end".into())
 }
 
+/// Reads one block after another, as chains of certificates stand in files; other lines between them are left out.
+pub fn decode_all(label: &str, text: &str) -> Result<Vec<Vec<u8>>, String> {
+    let (begin, end) = (format!("-----BEGIN {label}-----"), format!("-----END {label}-----"));
+    let mut blocks = Vec::new();
+    let mut rest = text;
+    while let Some(from) = rest.find(&begin) {
+        let to = rest[from..].find(&end).ok_or("a PEM block without its end")? + from + end.len();
+        blocks.push(decode(label, &rest[from..to])?);
+        rest = &rest[to..];
+    }
+    if blocks.is_empty() { Err(format!("no PEM block of type {label}")) } else { Ok(blocks) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

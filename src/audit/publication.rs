@@ -21,6 +21,7 @@ use super::marking::{Ism, Profile};
 use super::record::{self, RecordDraft, Sealed};
 use super::statement::{Outcome, Subject};
 use super::store_merge::PreparedMerge;
+use super::trust::CertChain;
 use crate::{Error, Result};
 use place::{beside, check_free, exchange, lock_dir, put_in_place, sweep};
 
@@ -34,13 +35,15 @@ pub const RECORD_SIG: &str = "orb-record.sig";
 pub const RECORD_KEY: &str = "orb-record.pub.pem";
 /// That the record stands in the signer's ledger: its place and a signed checkpoint.
 pub const RECORD_PROOF: &str = "orb-proof.tlog";
+/// The signer's certificates, where the key has some.
+pub const RECORD_CHAIN: &str = "orb-record.chain.pem";
 /// The marking of everything in the folder, for files whose format has no place for one.
 pub const MARKING_SIDECAR: &str = "orb-marking.json";
 /// Before the names of subjects that stand in a store and not in the published folder.
 pub const STORE_PREFIX: &str = "store:";
 
 /// Written by the seal itself, so they cannot be among the subjects.
-pub const SEAL_FILES: [&str; 5] = [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF];
+pub const SEAL_FILES: [&str; 6] = [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF, RECORD_CHAIN];
 
 /// Where and as what to publish.
 #[derive(Clone, Debug)]
@@ -247,13 +250,15 @@ impl Publication {
         let pae = sealed.envelope.pae();
         let sig = sealed.envelope.signatures.first().map(|s| s.sig.as_slice()).unwrap_or_default();
         let pem = key.public().to_pem();
-        for (name, bytes) in [
+        let chain = key.chain().map(CertChain::to_pem);
+        let files = [
             (RECORD, line.as_slice()),
             (RECORD_PAE, &pae),
             (RECORD_SIG, sig),
             (RECORD_KEY, pem.as_bytes()),
             (RECORD_PROOF, &proof),
-        ] {
+        ];
+        for (name, bytes) in files.into_iter().chain(chain.as_ref().map(|pem| (RECORD_CHAIN, pem.as_bytes()))) {
             self.disk.write_new(&self.staging.join(name), bytes).map_err(|e| self.in_words(name, e))?;
         }
         for entry in disk::walk(&self.staging)?.iter().filter(|e| e.is_dir) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::canonical::{Fault, sha256_hex};
 use super::dsse::{Envelope, PAYLOAD_TYPE, Signature};
-use super::keys::{self, SigningKey};
+use super::keys::SigningKey;
 use super::marking::Marking;
 use super::marking::handling::{Handling, check_not_below};
 use super::statement::{
@@ -13,6 +13,7 @@ use super::statement::{
 };
 use super::statement::{PREDICATE_TYPE, SCHEMA};
 use super::time::TimeReading;
+use super::trust::CertChain;
 use crate::{Error, Result};
 
 /// What the pipeline hands over: everything in a record that is not an output, a place in the chain, or the key.
@@ -86,6 +87,28 @@ pub struct Sealed {
 /// Where the next record stands: `None` begins a ledger.
 pub type Next = Option<Chain>;
 
+/// A record whose bytes stand, for one key to sign.
+#[derive(Clone, Debug)]
+pub struct Unsigned {
+    pub statement: Statement,
+    pub trail_hash: String,
+    payload: Vec<u8>,
+}
+
+impl Unsigned {
+    /// # Errors
+    /// As [`SigningKey::sign`].
+    pub fn sign(self, key: &SigningKey) -> Result<Sealed> {
+        let sig = key.sign(&super::dsse::pae(PAYLOAD_TYPE, &self.payload))?;
+        let envelope = Envelope {
+            payload: self.payload,
+            payload_type: PAYLOAD_TYPE.into(),
+            signatures: vec![Signature { keyid: key.public().fingerprint().to_owned(), sig }],
+        };
+        Ok(Sealed { statement: self.statement, envelope, trail_hash: self.trail_hash })
+    }
+}
+
 /// Builds the statement, its trail hash, and the signature over its canonical bytes.
 ///
 /// # Errors
@@ -98,6 +121,21 @@ pub fn seal(
     place: Next,
     key: &SigningKey,
 ) -> Result<Sealed> {
+    compose(draft, subject, outcome, error_code, place, key)?.sign(key)
+}
+
+/// The record that `key` is to sign.
+///
+/// # Errors
+/// As [`seal`].
+pub fn compose(
+    draft: &RecordDraft,
+    subject: Vec<Subject>,
+    outcome: Outcome,
+    error_code: Option<&str>,
+    place: Next,
+    key: &SigningKey,
+) -> Result<Unsigned> {
     draft.check_marking()?;
     let id = uuid_v7(draft.time.unix_ms, draft.event_random);
     let fingerprint = key.public().fingerprint().to_owned();
@@ -113,7 +151,10 @@ pub fn seal(
         predicate_type: PREDICATE_TYPE.into(),
         predicate: Predicate {
             schema: SCHEMA.into(),
-            schema_minor: u32::from(authority.is_some() || designation.is_some()),
+            schema_minor: match () {
+                () if key.chain().is_some() || draft.tool.sbom_sha256.is_some() => 2,
+                () => u32::from(authority.is_some() || designation.is_some()),
+            },
             event: Event { id, kind: draft.event_type.clone(), outcome, error_code: error_code.map(str::to_owned) },
             chain,
             time: Time {
@@ -125,11 +166,12 @@ pub fn seal(
             },
             place: Place { os: std::env::consts::OS.into(), arch: std::env::consts::ARCH.into(), hostname: None },
             actor: Actor {
-                operator_id: draft.operator_id.clone(),
-                auth: "os-user".into(),
+                operator_id: key.chain().map_or_else(|| draft.operator_id.clone(), |c| printable(c.operator())),
+                auth: if key.chain().is_some() { "pki" } else { "os-user" }.into(),
                 key_fingerprint: fingerprint.clone(),
-                algorithm: keys::ALGORITHM.into(),
+                algorithm: key.algorithm().name().into(),
                 key_source: key.source().name().into(),
+                cert_chain_sha256: key.chain().map(CertChain::sha256),
             },
             source: EventSource { command: draft.command.clone(), interface: "cli".into(), argv_redacted: None },
             inputs: draft.inputs.clone(),
@@ -159,13 +201,7 @@ pub fn seal(
     let payload = statement.to_payload().map_err(|f| not_recordable(&f))?;
     // The reader's own rules, so that no record is written that verification would refuse.
     Statement::parse(&payload).map_err(|f| not_recordable(&f))?;
-    let sig = key.sign(&super::dsse::pae(PAYLOAD_TYPE, &payload))?;
-    let envelope = Envelope {
-        payload,
-        payload_type: PAYLOAD_TYPE.into(),
-        signatures: vec![Signature { keyid: fingerprint, sig }],
-    };
-    Ok(Sealed { statement, envelope, trail_hash })
+    Ok(Unsigned { statement, trail_hash, payload })
 }
 
 /// A ledger's name, sixteen hexadecimal digits: made from its first event and the key that signed it.
@@ -255,6 +291,7 @@ pub fn uuid_v7(unix_ms: u64, random: [u8; 10]) -> String {
 pub(crate) mod tests {
     use super::*;
     use crate::Kind;
+    use crate::audit::keys::Algorithm;
     use crate::audit::keys::tests::shared_key;
     use crate::audit::time::{Source, SyncStatus};
 
@@ -303,7 +340,7 @@ pub(crate) mod tests {
         assert_eq!(statement.predicate.chain.seq, 0);
         let sig = &sealed.envelope.signatures[0];
         assert_eq!(sig.keyid, shared_key().public().fingerprint());
-        assert_eq!(shared_key().public().verify(&sealed.envelope.pae(), &sig.sig), Ok(true));
+        assert_eq!(shared_key().public().verify(&sealed.envelope.pae(), &sig.sig), Ok(Some(Algorithm::Rs256)));
         let text = String::from_utf8(sealed.envelope.payload.clone()).unwrap();
         for part in [
             r#""_type":"https://in-toto.io/Statement/v1""#,

@@ -1,16 +1,23 @@
 //! The checks of one record, wherever it stands: beside its outputs or in a ledger.
 
 use super::dsse::Envelope;
-use super::keys::{ADVISED_BITS, ALGORITHM, PublicKey};
+use super::keys::{ADVISED_BITS, Algorithm, PublicKey};
 use super::marking::{Ism, Marking};
 use super::record;
 use super::report::Finding;
 use super::statement::{GENESIS, Statement};
 use super::time::{self, SyncStatus};
-use super::trust::TrustStore;
+use super::trust::{Signed, TrustStore};
 
 /// How far a record's time may lie ahead of this machine's clock, milliseconds.
 const FUTURE_SKEW_MS: u64 = 5 * 60 * 1000;
+
+/// Who signed, and how.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Signer<'a> {
+    pub key: &'a PublicKey,
+    pub algorithm: Algorithm,
+}
 
 /// The key that verified; every signature must be good.
 ///
@@ -20,7 +27,7 @@ pub(super) fn check_signatures<'a>(
     trust: &'a TrustStore,
     subject: &str,
     found: &mut Vec<Finding>,
-) -> Option<&'a PublicKey> {
+) -> Option<Signer<'a>> {
     let message = envelope.pae();
     let mut signer = None;
     let mut all_good = true;
@@ -36,8 +43,8 @@ pub(super) fn check_signatures<'a>(
             continue;
         };
         match key.verify(&message, &signature.sig) {
-            Ok(true) => signer = Some(key),
-            Ok(false) => {
+            Ok(Some(algorithm)) => signer = Some(Signer { key, algorithm }),
+            Ok(None) => {
                 found.push(
                     Finding::new("SIG_INVALID", subject).expected(format!("a signature by {}", key.fingerprint())),
                 );
@@ -56,12 +63,16 @@ pub(super) fn check_signatures<'a>(
     signer.filter(|_| all_good)
 }
 
-/// The record's fields, strictly read.
+/// The record's fields, strictly read; its trail hash is what it should be.
 pub(super) fn read_statement(envelope: &Envelope, subject: &str, found: &mut Vec<Finding>) -> Option<Statement> {
-    match Statement::parse(&envelope.payload) {
-        Ok((statement, canonical)) => {
+    match Statement::parse_and_hash(&envelope.payload) {
+        Ok((statement, canonical, trail_hash)) => {
             if !canonical {
                 found.push(Finding::new("NOT_CANONICAL", subject).expected("the one spelling of this record"));
+            }
+            let stated = statement.predicate.trail_hash.as_deref().unwrap_or_default();
+            if stated != trail_hash {
+                found.push(Finding::new("TRAIL_HASH_MISMATCH", subject).expected(trail_hash).actual(stated));
             }
             Some(statement)
         }
@@ -72,24 +83,57 @@ pub(super) fn read_statement(envelope: &Envelope, subject: &str, found: &mut Vec
     }
 }
 
-/// What a record says about itself: its trail hash, its signer, its place in the chain, its time, its marking.
+/// What the trust store has against a signature that is good; true when it may count.
+pub(super) fn check_standing(
+    trust: &TrustStore,
+    signer: Signer<'_>,
+    signed: Signed,
+    marking: Option<&Marking>,
+    subject: &str,
+    found: &mut Vec<Finding>,
+) -> bool {
+    let objections = trust.judge(signer.key.fingerprint(), signed, marking);
+    let stands = objections.iter().all(|o| o.code.ends_with("_LATER"));
+    found.extend(objections.into_iter().map(|o| Finding::new(o.code, subject).expected(o.expected).actual(o.actual)));
+    stands
+}
+
+/// What a record says about itself: its signer, its place in the chain, its time, its marking.
 pub(super) fn check_fields(
     statement: &Statement,
-    signer: Option<&PublicKey>,
+    trust: &TrustStore,
+    signer: Option<Signer<'_>>,
     now_ms: u64,
-    subject: &str,
     found: &mut Vec<Finding>,
 ) {
     let p = &statement.predicate;
-    let trail_hash = statement.trail_hash().unwrap_or_default();
-    if p.trail_hash.as_deref() != Some(trail_hash.as_str()) {
-        let stated = p.trail_hash.clone().unwrap_or_default();
-        found.push(Finding::new("TRAIL_HASH_MISMATCH", subject).expected(trail_hash).actual(stated));
+    let acceptable = |a: &&Algorithm| signer.is_none_or(|s| s.algorithm == **a);
+    let names: Vec<&str> = Algorithm::ALL.iter().filter(acceptable).map(|a| a.name()).collect();
+    if !names.contains(&p.actor.algorithm.as_str()) {
+        found.push(
+            Finding::new("ALG_REFUSED", "actor.algorithm").expected(names.join(" or ")).actual(&p.actor.algorithm),
+        );
     }
-    if p.actor.algorithm != ALGORITHM {
-        found.push(Finding::new("ALG_REFUSED", "actor.algorithm").expected(ALGORITHM).actual(&p.actor.algorithm));
-    }
-    if let Some(signer) = signer {
+    if let Some(who @ Signer { key: signer, .. }) = signer {
+        let signed = Signed { stated_ms: time::parse_utc(&p.time.utc).unwrap_or_default(), proven_ms: None };
+        check_standing(trust, who, signed, statement.marking().as_ref(), "signing key", found);
+        if let Some(chain) = trust.chain_of(signer.fingerprint()) {
+            let stated = p.actor.cert_chain_sha256.clone().unwrap_or_default();
+            if stated != chain.sha256() {
+                found.push(
+                    Finding::new("SIGNER_MISMATCH", "actor.cert_chain_sha256")
+                        .expected(chain.sha256().join(" "))
+                        .actual(stated.join(" ")),
+                );
+            }
+            if p.actor.auth != "pki" || p.actor.operator_id != record::printable(chain.operator()) {
+                found.push(
+                    Finding::new("SIGNER_MISMATCH", "actor.operator_id")
+                        .expected(format!("{} (pki)", chain.operator()))
+                        .actual(format!("{} ({})", p.actor.operator_id, p.actor.auth)),
+                );
+            }
+        }
         if p.actor.key_fingerprint != signer.fingerprint() {
             found.push(
                 Finding::new("SIGNER_MISMATCH", "actor.key_fingerprint")

@@ -103,12 +103,12 @@ impl Finding {
 fn weight(code: &str) -> (Severity, Verdict) {
     match code {
         "INPUT_MISSING" | "STORE_NOT_CHECKED" | "TIME_UNSYNCED" | "TAIL_UNANCHORED" | "LEDGER_OPEN"
-        | "FOLDER_NOT_FOUND" => (Severity::Note, Verdict::Pass),
+        | "FOLDER_NOT_FOUND" | "KEY_REVOKED_LATER" | "CERT_REVOKED_LATER" => (Severity::Note, Verdict::Pass),
         "OUTPUT_EXTRA" | "KEY_SHORT" | "SEAL_FILE_MISSING" | "PROOF_MISSING" | "INCOMPLETE_APPEND" => {
             (Severity::Warning, Verdict::Pass)
         }
         "RECORD_MISSING" | "TRUST_STORE_EMPTY" | "ANCHOR_REQUIRED" => (Severity::Error, Verdict::Incomplete),
-        "ALG_REFUSED" | "MARKING_UNSUPPORTED" => (Severity::Error, Verdict::Refused),
+        "ALG_REFUSED" | "MARKING_UNSUPPORTED" | "KEY_SCOPE" => (Severity::Error, Verdict::Refused),
         _ => (Severity::Error, Verdict::Fail),
     }
 }
@@ -117,7 +117,9 @@ fn controls(code: &str) -> &'static [&'static str] {
     match code {
         "OUTPUT_DIGEST" | "OUTPUT_MISSING" | "OUTPUT_EXTRA" | "INPUT_DIGEST" | "INPUT_MISSING"
         | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
-        "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" => &["au-9.3", "au-10"],
+        "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" | "KEY_EXPIRED" | "KEY_REVOKED"
+        | "KEY_REVOKED_LATER" | "KEY_SCOPE" | "CERT_EXPIRED" | "CERT_REVOKED" | "CERT_REVOKED_LATER"
+        | "CERT_UNTRUSTED" => &["au-9.3", "au-10"],
         "ALG_REFUSED" | "KEY_SHORT" => &["sc-13"],
         "TIME_FUTURE" | "TIME_UNSYNCED" | "TIME_ROLLBACK" => &["au-8"],
         "MARKING_DOWNGRADE" | "MARKING_INBAND_MISMATCH" | "MARKING_UNSUPPORTED" => &["mp-3", "ac-16"],
@@ -174,6 +176,15 @@ fn hint(code: &str) -> &'static str {
         }
         "FOLDER_NOT_FOUND" => "The ledger has a record whose folder is not among those that were given.",
         "TOO_MANY_FINDINGS" => "What is wrong is wrong throughout; the rest is not listed.",
+        "KEY_EXPIRED" => "The key was not to be trusted at the time that the record states.",
+        "KEY_REVOKED" => "The signature counts only with a time stamp from before the revocation.",
+        "KEY_REVOKED_LATER" | "CERT_REVOKED_LATER" => "It was signed before; what the key signs now counts no more.",
+        "KEY_SCOPE" => "The trust store limits what this key may sign.",
+        "CERT_EXPIRED" => "A certificate was not valid at the time that the record states.",
+        "CERT_REVOKED" => "The authority had taken the certificate back.",
+        "CERT_UNTRUSTED" => {
+            "Get the authority's certificate from the authority and add it: orb audit key trust add FILE."
+        }
         "KEY_SHORT" => "3072 bits or more are advised.",
         _ => "",
     }

@@ -10,6 +10,7 @@ use super::canonical::{self, Fault, Json};
 use super::marking::Marking;
 use super::marking::authority::{Authority, Designation};
 pub use super::marking::{Ism, Profile};
+use super::sbom;
 use super::time;
 use super::time::{Source, SyncStatus};
 
@@ -141,11 +142,15 @@ pub struct Place {
 #[serde(deny_unknown_fields)]
 pub struct Actor {
     pub operator_id: String,
-    /// Who vouches for `operator_id`: `os-user` is the name that the operating system gave, no more.
+    /// Who vouches for `operator_id`: `os-user` is the name that the operating system gave, no more; `pki` is the name in
+    /// the signer's certificate.
     pub auth: String,
     pub key_fingerprint: String,
     pub algorithm: String,
     pub key_source: String,
+    /// SHA-256 of the signer's certificate and of those between it and an authority; since minor version 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cert_chain_sha256: Option<Vec<String>>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -216,6 +221,9 @@ pub struct Tool {
     pub features: Option<Vec<String>>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub binary_sha256: Option<String>,
+    /// Of what `orb audit sbom` prints; since minor version 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sbom_sha256: Option<String>,
 }
 
 impl Tool {
@@ -225,6 +233,7 @@ impl Tool {
             name: "orb".into(),
             version: env!("CARGO_PKG_VERSION").into(),
             target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
+            sbom_sha256: Some(sbom::sha256()),
             ..Tool::default()
         }
     }
@@ -266,10 +275,24 @@ impl Statement {
     /// # Errors
     /// A [`Fault`] naming the first thing that is wrong.
     pub fn parse(payload: &[u8]) -> Result<(Statement, bool), Fault> {
-        let json = canonical::parse(payload)?;
+        Statement::parse_and_hash(payload).map(|(statement, canonical, _)| (statement, canonical))
+    }
+
+    /// As [`Statement::parse`], and the trail hash that the payload should state.
+    ///
+    /// # Errors
+    /// As [`Statement::parse`].
+    pub fn parse_and_hash(payload: &[u8]) -> Result<(Statement, bool, String), Fault> {
+        let mut json = canonical::parse(payload)?;
         let statement: Statement = serde_json::from_slice(payload).map_err(|error| Fault::Schema(error.to_string()))?;
         statement.check_values().map_err(Fault::Schema)?;
-        Ok((statement, canonical::is_canonical(&json, payload)))
+        let canonical = canonical::is_canonical(&json, payload);
+        if let Json::Map(all) = &mut json
+            && let Some(Json::Map(predicate)) = all.get_mut("predicate")
+        {
+            predicate.remove("trail_hash");
+        }
+        Ok((statement, canonical, canonical::sha256_hex(&json.to_bytes())))
     }
 
     /// The bytes that are signed.
@@ -316,9 +339,15 @@ impl Statement {
         hex("chain.ledger_id", &p.chain.ledger_id, 16)?;
         hex("chain.prev", &p.chain.prev, 64)?;
         hex("trail_hash", p.trail_hash.as_deref().unwrap_or_default(), 64)?;
+        for sha256 in p.actor.cert_chain_sha256.iter().flatten() {
+            hex("actor.cert_chain_sha256", sha256, 64)?;
+        }
         hex("actor.key_fingerprint", &p.actor.key_fingerprint, 64)?;
         if time::parse_utc(&p.time.utc).is_none() {
             return Err(format!("time.utc {:?}: expected YYYY-MM-DDTHH:MM:SS.mmmZ", p.time.utc));
+        }
+        if let Some(sha256) = &p.tool.sbom_sha256 {
+            hex("tool.sbom_sha256", sha256, 64)?;
         }
         for input in &p.inputs {
             hex("inputs.sha256", &input.sha256, 64)?;

@@ -38,6 +38,9 @@ pub fn lock_store(root: &Path) -> Result<StoreLock> {
     lock_with(root, Disk::default())
 }
 
+const LOCK_RETRIES: usize = 5;
+const LOCK_PAUSE: std::time::Duration = std::time::Duration::from_millis(20);
+
 fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
     let root = root.canonicalize().map_err(|e| Error::io(root, &e))?;
     if !root.is_dir() {
@@ -46,7 +49,16 @@ fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
             .found("a file"));
     }
     let lock = open_for_lock(&root).map_err(|e| Error::io(&root, &e))?;
-    lock.try_lock().map_err(|error| match error {
+    let mut attempt = lock.try_lock();
+    // A program that this process is about to start shares the lock for the moment before it is one.
+    for _ in 0..LOCK_RETRIES {
+        if !matches!(attempt, Err(fs::TryLockError::WouldBlock)) {
+            break;
+        }
+        std::thread::sleep(LOCK_PAUSE);
+        attempt = lock.try_lock();
+    }
+    attempt.map_err(|error| match error {
         fs::TryLockError::WouldBlock => Error::environment(root.display().to_string())
             .expected("one writer at a time")
             .found("another run of Orb that writes to this store")
@@ -242,20 +254,14 @@ impl PreparedMerge {
         Ok(())
     }
 
-    /// Puts the new files into place for good, or leaves the store as it was.
-    ///
-    /// # Errors
-    /// [`Kind::Environment`].
-    pub fn commit(mut self) -> Result<()> {
+    #[cfg(test)]
+    fn commit(mut self) -> Result<()> {
         self.apply()?;
         self.finish()
     }
 
-    /// Leaves the store as it was. Dropping does the same, silently.
-    ///
-    /// # Errors
-    /// [`Kind::Environment`]: the journal stays and the next run undoes the rest.
-    pub fn rollback(mut self) -> Result<()> {
+    #[cfg(test)]
+    fn rollback(mut self) -> Result<()> {
         self.undo()
     }
 

@@ -1,69 +1,194 @@
-//! The public keys whose signatures count: `trust/` in the user's data folder, and those named on the command line.
+//! Whose signatures count: `trust/` in the user's data folder, and the keys named on the command line.
+//!
+//! `FINGERPRINT.pem` is a public key, `ca/SHA256.pem` an authority's certificate, `crl/SHA256.pem` a revocation list;
+//! beside a key or an authority may stand what is said of it, `.json` ([`Entry`]).
+
+mod chain;
+mod entry;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::canonical::sha256_hex;
+use super::canonical::{self, sha256_hex};
 use super::data_folder::DataFolder;
 use super::disk::{self, Disk};
 use super::keys::PublicKey;
+use super::marking::Marking;
 use super::pem;
 use crate::{Error, Result};
+pub use chain::{Authority, CertChain};
+pub use entry::{Entry, Objection, Reason, Revocation, SCHEMA, Signed};
 
-/// Keys by fingerprint. A key that a record brings along is never looked at.
+/// Largest revocation list that is read, bytes.
+const MAX_CRL_BYTES: u64 = 32 << 20;
+
+/// Keys by fingerprint, and authorities that say whose a key is. A bare key that a record brings along is never looked at.
 #[derive(Clone, Debug, Default)]
 pub struct TrustStore {
-    keys: BTreeMap<String, PublicKey>,
+    keys: BTreeMap<String, (PublicKey, Entry)>,
+    authorities: BTreeMap<String, Authority>,
+    /// DER, by digest.
+    crls: BTreeMap<String, Vec<u8>>,
+    /// Chains that were brought along and lead to an authority, by the key's fingerprint.
+    presented: BTreeMap<String, CertChain>,
+}
+
+/// Something that was taken into the trust store.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Added {
+    Key(String),
+    Authority(String),
+    Crl(String),
 }
 
 impl TrustStore {
-    /// Reads the user's trusted keys and `named` ones. No data folder is made.
+    /// Reads the user's trust store and `named` public keys. No data folder is made.
     ///
     /// # Errors
-    /// [`crate::Kind::Policy`], `ALG_REFUSED`, for a file that is not an acceptable public key: a store that can only
-    /// half be read is not used.
+    /// [`crate::Kind::Policy`], `ALG_REFUSED` or `TRUST_STORE_DAMAGED`, for a file that is not what it should be: a store
+    /// that can only half be read is not used.
     pub fn load(data: &DataFolder, named: &[PathBuf]) -> Result<TrustStore> {
         let folder = data.path().join("trust");
-        let mut paths = Vec::new();
-        if folder.is_dir() {
-            for entry in fs::read_dir(&folder).map_err(|e| Error::io(&folder, &e))? {
-                let path = entry.map_err(|e| Error::io(&folder, &e))?.path();
-                if path.extension().is_some_and(|e| e == "pem") {
-                    paths.push(path);
-                }
-            }
-        }
         let mut store = TrustStore::default();
-        for path in paths.iter().chain(named) {
+        for path in pem_files(&folder)? {
+            let key = read_public(&path)?;
+            store.keys.insert(key.fingerprint().to_owned(), (key, read_entry(&path)?));
+        }
+        for path in pem_files(&folder.join("ca"))? {
+            let authority = Authority::from_pem(&read_text(&path, pem::MAX_BYTES)?, read_entry(&path)?)
+                .map_err(|found| damaged(&path, &found))?;
+            store.authorities.insert(authority.sha256(), authority);
+        }
+        for path in pem_files(&folder.join("crl"))? {
+            let der = read_crl(&path)?;
+            store.crls.insert(sha256_hex(&der), der);
+        }
+        for path in named {
             store.insert(read_public(path)?);
         }
         Ok(store)
     }
 
+    /// Trusts a key for everything; what is already said of it stays said.
     pub fn insert(&mut self, key: PublicKey) {
-        self.keys.insert(key.fingerprint().to_owned(), key);
+        self.keys.entry(key.fingerprint().to_owned()).or_insert((key, Entry::default()));
     }
 
+    /// The key of this fingerprint, if it is trusted or an authority answers for it.
     pub fn get(&self, fingerprint: &str) -> Option<&PublicKey> {
-        self.keys.get(fingerprint)
+        let own = self.keys.get(fingerprint).map(|(key, _)| key);
+        own.or_else(|| self.presented.get(fingerprint).map(CertChain::key))
     }
 
+    /// Looks at a chain that came with a signature; from then on its key is known. One that leads to no authority here is
+    /// not.
+    ///
+    /// # Errors
+    /// Words saying why not.
+    pub fn present(&mut self, chain: CertChain) -> Result<(), String> {
+        let authorities: Vec<Authority> = self.authorities.values().cloned().collect();
+        chain::leads_to(&authorities, &chain)?;
+        self.presented.insert(chain.key().fingerprint().to_owned(), chain);
+        Ok(())
+    }
+
+    /// The chain by which a key is trusted; `None` for a key that is trusted itself.
+    pub fn chain_of(&self, fingerprint: &str) -> Option<&CertChain> {
+        if self.keys.contains_key(fingerprint) { None } else { self.presented.get(fingerprint) }
+    }
+
+    /// What stands against a good signature by this key, made then, on something marked so.
+    pub fn judge(&self, fingerprint: &str, signed: Signed, marking: Option<&Marking>) -> Vec<Objection> {
+        match (self.keys.get(fingerprint), self.presented.get(fingerprint)) {
+            (Some((_, entry)), _) => entry.judge(signed, marking),
+            (None, Some(chain)) => {
+                let authorities: Vec<Authority> = self.authorities.values().cloned().collect();
+                let crls: Vec<Vec<u8>> = self.crls.values().cloned().collect();
+                chain::judge(&authorities, &crls, chain, signed)
+            }
+            (None, None) => Vec::new(),
+        }
+    }
+
+    /// Nobody is trusted.
     pub fn is_empty(&self) -> bool {
-        self.keys.is_empty()
+        self.keys.is_empty() && self.authorities.is_empty()
     }
 
-    /// SHA-256 over the sorted fingerprints, a line each: a store that was changed shows.
+    /// The trusted keys and what is said of each.
+    pub fn keys(&self) -> impl Iterator<Item = (&PublicKey, &Entry)> {
+        self.keys.values().map(|(key, entry)| (key, entry))
+    }
+
+    pub fn authorities(&self) -> impl Iterator<Item = &Authority> {
+        self.authorities.values()
+    }
+
+    /// SHA-256 of each revocation list.
+    pub fn crls(&self) -> impl Iterator<Item = &str> {
+        self.crls.keys().map(String::as_str)
+    }
+
+    /// SHA-256 over a line for each key, authority and list, sorted, with what is said of it: a store that was changed
+    /// shows.
     pub fn sha256(&self) -> String {
-        let lines: String = self.keys.keys().map(|k| format!("{k}\n")).collect();
-        sha256_hex(lines.as_bytes())
+        let said = |entry: &Entry| match entry {
+            entry if *entry == Entry::default() => String::new(),
+            entry => format!(" {}", String::from_utf8_lossy(&canonical::to_vec(entry).unwrap_or_default())),
+        };
+        let keys = self.keys.iter().map(|(k, (_, entry))| format!("{k}{}\n", said(entry)));
+        let authorities = self.authorities.iter().map(|(k, a)| format!("ca {k}{}\n", said(&a.entry)));
+        let crls = self.crls.keys().map(|k| format!("crl {k}\n"));
+        sha256_hex(keys.chain(authorities).chain(crls).collect::<String>().as_bytes())
     }
 }
 
+/// Every `.pem` of a folder that need not exist, sorted.
+fn pem_files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut paths = Vec::new();
+    if folder.is_dir() {
+        for entry in fs::read_dir(folder).map_err(|e| Error::io(folder, &e))? {
+            let path = entry.map_err(|e| Error::io(folder, &e))?.path();
+            if path.extension().is_some_and(|e| e == "pem") {
+                paths.push(path);
+            }
+        }
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+fn read_text(path: &Path, limit: u64) -> Result<String> {
+    Ok(String::from_utf8_lossy(&disk::read_limited(path, limit)?).into_owned())
+}
+
+fn damaged(path: &Path, found: &str) -> Error {
+    Error::policy(path.display().to_string())
+        .expected("a file that `orb audit key trust add` wrote")
+        .found(format!("TRUST_STORE_DAMAGED: {found}"))
+        .advice("Take it away and add the key again.")
+}
+
+fn read_entry(pem: &Path) -> Result<Entry> {
+    let path = pem.with_extension("json");
+    if !path.exists() {
+        return Ok(Entry::default());
+    }
+    let entry: Entry = serde_json::from_slice(&disk::read_limited(&path, pem::MAX_BYTES)?)
+        .map_err(|e| damaged(&path, &e.to_string()))?;
+    entry.check(&path.display().to_string()).map_err(|e| damaged(&path, &e.found))?;
+    Ok(entry)
+}
+
+fn read_crl(path: &Path) -> Result<Vec<u8>> {
+    let der = pem::decode(chain::CRL, &read_text(path, MAX_CRL_BYTES)?).map_err(|found| damaged(path, &found))?;
+    chain::check_crl(&der).map_err(|found| damaged(path, &found))?;
+    Ok(der)
+}
+
 fn read_public(path: &Path) -> Result<PublicKey> {
-    let bytes = disk::read_limited(path, pem::MAX_BYTES)?;
-    let text = String::from_utf8_lossy(&bytes);
-    PublicKey::from_pem(&text).map_err(|found| {
+    PublicKey::from_pem(&read_text(path, pem::MAX_BYTES)?).map_err(|found| {
         Error::policy(path.display().to_string())
             .expected("an RSA public key in PEM form")
             .found(format!("ALG_REFUSED: {found}"))
@@ -73,48 +198,102 @@ fn read_public(path: &Path) -> Result<PublicKey> {
 
 /// Trusts a public key from now on.
 pub(super) fn add(data: &DataFolder, key: &PublicKey) -> Result<()> {
-    let folder = data.subfolder("trust")?;
-    let path = folder.join(format!("{}.pem", key.fingerprint()));
+    let path = data.subfolder("trust")?.join(format!("{}.pem", key.fingerprint()));
     // What is there under this name must be this key, or the store would not load.
-    if path.exists() {
-        return Ok(());
+    if path.exists() { Ok(()) } else { write_whole(&path, key.to_pem().as_bytes()) }
+}
+
+/// Takes a public key, an authority's certificate or a revocation list (PEM) into the user's trust store, with what is said
+/// of it; what was said before is replaced, but a revocation stays.
+///
+/// # Errors
+/// [`crate::Kind::Policy`] for a file that is none of them; [`crate::Kind::Usage`] for an entry that says nothing
+/// possible; [`crate::Kind::Environment`] when it cannot be written.
+pub fn add_file(data: &DataFolder, file: &Path, entry: &Entry) -> Result<Added> {
+    entry.check(&file.display().to_string())?;
+    let text = read_text(file, MAX_CRL_BYTES)?;
+    let refused = |found: String| {
+        Error::policy(file.display().to_string())
+            .expected("an RSA public key, an authority's certificate or a revocation list, in PEM form")
+            .found(format!("ALG_REFUSED: {found}"))
+            .advice(
+                "A signer's own certificate is not added: its authority's is, and the chain travels with the record.",
+            )
+    };
+    let begins = |label: &str| text.trim_start().starts_with(&format!("-----BEGIN {label}-----"));
+    if begins(chain::CRL) {
+        let der = pem::decode(chain::CRL, &text).map_err(refused)?;
+        chain::check_crl(&der).map_err(refused)?;
+        let sha256 = sha256_hex(&der);
+        let folder = data.subfolder("trust")?.join("crl");
+        make_folder(&folder)?;
+        write_whole(&folder.join(format!("{sha256}.pem")), pem::encode(chain::CRL, &der).as_bytes())?;
+        return Ok(Added::Crl(sha256));
     }
-    // Written under another name first, so that a second run never reads half a key.
+    let (folder, name, clean) = if begins(chain::CERTIFICATE) {
+        let authority = Authority::from_pem(&text, entry.clone()).map_err(refused)?;
+        (data.subfolder("trust")?.join("ca"), authority.sha256(), pem::encode(chain::CERTIFICATE, &authority.der))
+    } else {
+        let key = PublicKey::from_pem(&text).map_err(refused)?;
+        (data.subfolder("trust")?, key.fingerprint().to_owned(), key.to_pem())
+    };
+    make_folder(&folder)?;
+    let path = folder.join(format!("{name}.pem"));
+    let revoked = if path.exists() { read_entry(&path)?.revoked } else { None };
+    // The words first: there is no moment in which a key is trusted for more than was said.
+    write_entry(&path, &Entry { revoked, ..entry.clone() })?;
+    write_whole(&path, clean.as_bytes())?;
+    Ok(if begins(chain::CERTIFICATE) { Added::Authority(name) } else { Added::Key(name) })
+}
+
+/// No longer trusts a key, from a time on.
+///
+/// # Errors
+/// [`crate::Kind::Usage`] for a key that the store does not hold, or one that is revoked already from an earlier time.
+pub fn revoke(data: &DataFolder, fingerprint: &str, revocation: Revocation) -> Result<()> {
+    let path = data.path().join("trust").join(format!("{fingerprint}.pem"));
+    let known = fingerprint.bytes().all(|b| b.is_ascii_hexdigit()) && path.is_file();
+    if !known {
+        return Err(Error::usage(fingerprint)
+            .expected("the fingerprint of a trusted key")
+            .found("none of them")
+            .advice("`orb audit key trust list` shows them. An authority revokes by a list: add that."));
+    }
+    let mut entry = read_entry(&path)?;
+    entry.schema = SCHEMA.into();
+    if let Some(before) = &entry.revoked
+        && before.from < revocation.from
+    {
+        return Err(Error::usage(fingerprint)
+            .expected(format!("a time not after {}", before.from))
+            .found(&revocation.from)
+            .advice("The key is revoked since then; a revocation is not taken back."));
+    }
+    entry.revoked = Some(revocation);
+    entry.check(fingerprint)?;
+    write_entry(&path, &entry)
+}
+
+fn make_folder(path: &Path) -> Result<()> {
+    fs::create_dir_all(path).map_err(|e| Error::io(path, &e))
+}
+
+fn write_entry(pem: &Path, entry: &Entry) -> Result<()> {
+    let bytes = canonical::to_vec(entry).map_err(|f| Error::usage("trust entry").found(f.detail().to_owned()))?;
+    write_whole(&pem.with_extension("json"), &bytes)
+}
+
+/// Written under another name first, so that a second run never reads half a file.
+fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     let thread = format!("{:?}", std::thread::current().id()).replace(['(', ')'], "-");
-    let draft = folder.join(format!(".{}.{}.{thread}", key.fingerprint(), std::process::id()));
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let draft = path.with_file_name(format!(".{name}.{}.{thread}", std::process::id()));
     let disk = Disk::default();
-    disk.write_new(&draft, key.to_pem().as_bytes())?;
-    disk.rename(&draft, &path).inspect_err(|_| {
+    disk.write_new(&draft, bytes)?;
+    disk.rename(&draft, path).inspect_err(|_| {
         let _ = fs::remove_file(&draft);
     })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::audit::keys::tests::{other_key, shared_key};
-
-    #[test]
-    fn own_and_named_keys() {
-        let dir = tempfile::tempdir().unwrap();
-        let data = DataFolder::at(dir.path().join("data"));
-        let empty = TrustStore::load(&data, &[]).unwrap();
-        assert!(empty.is_empty() && !data.path().exists());
-
-        add(&data, shared_key().public()).unwrap();
-        add(&data, shared_key().public()).unwrap();
-        let store = TrustStore::load(&data, &[]).unwrap();
-        assert_eq!(store.get(shared_key().public().fingerprint()), Some(shared_key().public()));
-        assert_eq!(store.get(other_key().public().fingerprint()), None);
-        assert_ne!(store.sha256(), empty.sha256());
-
-        let named = dir.path().join("other.pem");
-        fs::write(&named, other_key().public().to_pem()).unwrap();
-        let both = TrustStore::load(&data, std::slice::from_ref(&named)).unwrap();
-        assert!(both.get(other_key().public().fingerprint()).is_some());
-
-        fs::write(&named, "not a key").unwrap();
-        let error = TrustStore::load(&data, &[named]).unwrap_err();
-        assert!(error.found.contains("ALG_REFUSED"), "{error}");
-    }
-}
+mod tests;

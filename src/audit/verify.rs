@@ -15,12 +15,14 @@ use super::inband;
 use super::keys::PublicKey;
 use super::marking::Marking;
 use super::pem;
-use super::publication::{RECORD, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, SEAL_FILES, STORE_PREFIX};
+use super::publication::{
+    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, SEAL_FILES, STORE_PREFIX,
+};
 use super::record;
 use super::record_check::{check_fields, check_signatures, read_statement};
 use super::report::{Counts, Finding, Range, Report};
 use super::statement::{Statement, Subject};
-use super::trust::TrustStore;
+use super::trust::{CertChain, TrustStore};
 use crate::{Error, Result};
 
 /// Files beyond this size are hashed, but not searched for a marking.
@@ -54,11 +56,12 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
     let mut found = Vec::new();
     let mut report = Report::new(request.trust);
     if let Some(envelope) = read_envelope(request.folder, &mut found)? {
-        let signer = check_signatures(&envelope, request.trust, RECORD, &mut found);
+        let trust = &with_chain(request, &mut found)?;
+        let signer = check_signatures(&envelope, trust, RECORD, &mut found);
         check_seal_files(request.folder, &envelope, &mut found)?;
         if let Some(statement) = read_statement(&envelope, RECORD, &mut found) {
-            check_fields(&statement, signer, request.now_ms, RECORD, &mut found);
-            check_proof(request, &statement, &mut found)?;
+            check_fields(&statement, trust, signer, request.now_ms, &mut found);
+            check_proof(request, trust, &statement, &mut found)?;
             report.counts = check_files(request, &statement, &mut found)?;
             report.counts.records = 1;
             if let Some(signer) = signer {
@@ -66,7 +69,7 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
                 let p = &statement.predicate;
                 report.ledger_id = Some(p.chain.ledger_id.clone());
                 report.range = Some(Range { first: p.chain.seq, last: p.chain.seq });
-                report.signed_by = Some(signer.fingerprint().to_owned());
+                report.signed_by = Some(signer.key.fingerprint().to_owned());
                 report.trail_hash.clone_from(&p.trail_hash);
                 report.time = Some(p.time.utc.clone());
                 report.marking = Some(p.marking.banner.clone());
@@ -137,6 +140,25 @@ fn read_envelope(folder: &Path, found: &mut Vec<Finding>) -> Result<Option<Envel
     Ok(Some(envelope))
 }
 
+/// The trust store, and the key of the certificates in the folder if one of its authorities answers for it.
+fn with_chain(request: &Request<'_>, found: &mut Vec<Finding>) -> Result<TrustStore> {
+    let mut trust = request.trust.clone();
+    let path = request.folder.join(RECORD_CHAIN);
+    // The walk over the folder reports a link.
+    if !fs::symlink_metadata(&path).is_ok_and(|m| m.is_file() && m.len() <= pem::MAX_BYTES) {
+        return Ok(trust);
+    }
+    let bytes = disk::read_limited(&path, pem::MAX_BYTES)?;
+    let presented = CertChain::from_pem(&String::from_utf8_lossy(&bytes)).and_then(|chain| trust.present(chain));
+    // Who trusts no authority judges by the key alone.
+    if let Err(why) = presented
+        && trust.authorities().next().is_some()
+    {
+        found.push(Finding::new("CERT_UNTRUSTED", RECORD_CHAIN).expected("a path to a trusted authority").actual(why));
+    }
+    Ok(trust)
+}
+
 /// The files for verification by hand must say the same as the record.
 fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>) -> Result<()> {
     let keyids: Vec<&str> = envelope.signatures.iter().map(|s| s.keyid.as_str()).collect();
@@ -173,13 +195,18 @@ fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>
 }
 
 /// The proof that the record stands in its ledger, where there is one.
-fn check_proof(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+fn check_proof(
+    request: &Request<'_>,
+    trust: &TrustStore,
+    statement: &Statement,
+    found: &mut Vec<Finding>,
+) -> Result<()> {
     let path = request.folder.join(RECORD_PROOF);
     match fs::symlink_metadata(&path) {
         Err(_) => found.push(Finding::new("PROOF_MISSING", RECORD_PROOF)),
         Ok(metadata) if metadata.is_file() && metadata.len() <= MAX_ENVELOPE_BYTES as u64 => {
             let bytes = disk::read_limited(&path, MAX_ENVELOPE_BYTES as u64)?;
-            if let Err(why) = prove(&bytes, request.trust, statement, found) {
+            if let Err(why) = prove(&bytes, trust, statement, found) {
                 found.push(
                     Finding::new("PROOF_INVALID", RECORD_PROOF)
                         .expected("the record's place in its ledger")

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use clap::Args;
 use zeroize::Zeroizing;
 
-use crate::audit::keys::{self, Named, Passphrase};
+use crate::audit::keys::{self, Algorithm, Named, Passphrase};
 use crate::{Error, Result};
 
 /// The key that signs.
@@ -19,12 +19,21 @@ pub struct KeyArgs {
     /// Where the key's passphrase is: file:PATH (its first line), env:NAME, or prompt.
     #[arg(long, value_name = "SOURCE", requires = "key")]
     pub key_passphrase: Option<PassphraseSource>,
+
+    /// How to sign: RS256, or RS384 (with 3072 bits or more) where CNSA 1.0 is asked for.
+    #[arg(long = "sign-algorithm", value_name = "NAME", value_enum, default_value_t, requires = "key")]
+    pub algorithm: Algorithm,
+
+    /// Certificates of the signing key (PEM, the signer's own first, without the root): they travel with the record.
+    #[arg(long, value_name = "FILE", requires = "key")]
+    pub cert_chain: Option<PathBuf>,
 }
 
 impl KeyArgs {
     pub fn named(&self) -> Option<Named<'_>> {
         let passphrase = self.key_passphrase.as_ref().map(|source| source as &dyn Passphrase);
-        self.key.as_deref().map(|path| Named { path, passphrase })
+        let (algorithm, chain) = (self.algorithm, self.cert_chain.as_deref());
+        self.key.as_deref().map(|path| Named { path, passphrase, algorithm, chain })
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::audit::canonical;
 use crate::audit::checkpoint::{self, Checkpoint, Proof};
 use crate::audit::disk::{self, Disk};
 use crate::audit::dsse::{Envelope, MAX_ENVELOPE_BYTES};
@@ -74,7 +75,7 @@ pub(super) struct HeadToSave(Wire);
 impl HeadToSave {
     /// Replaces the file, whole or not at all. The caller holds the ledger's lock.
     pub fn save(&self, path: &Path, disk: &Disk) -> Result<()> {
-        let mut text = serde_json_canonicalizer::to_vec(&self.0).unwrap_or_default();
+        let mut text = canonical::to_vec(&self.0).unwrap_or_default();
         text.push(b'\n');
         let draft = path.with_extension("json.new");
         // What a killed run left.

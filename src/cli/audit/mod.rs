@@ -3,6 +3,7 @@
 mod export;
 mod ledger;
 mod report;
+mod trust;
 
 use std::path::PathBuf;
 
@@ -12,6 +13,7 @@ use crate::audit::by_hand;
 use crate::audit::events;
 use crate::audit::keys::{self, Bits, Passphrase};
 use crate::audit::report::Verdict;
+use crate::audit::sbom;
 use crate::audit::statement::Outcome::{Failure, Success};
 use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
@@ -33,6 +35,8 @@ pub enum AuditVerb {
     Show(ShowArgs),
     /// Make a signing key: FILE (private, mode 0600) and FILE.pub.pem
     Keygen(KeygenArgs),
+    /// Say whose signatures count: trust add, list, revoke
+    Key(trust::KeyVerbArgs),
     /// Verify, checkpoint, archive and reconcile the ledger of all records
     Ledger(ledger::LedgerArgs),
     /// Write what a verification found, for a compliance officer
@@ -41,6 +45,8 @@ pub enum AuditVerb {
     Export(export::ExportArgs),
     /// Print the JSON Schema of a record
     Schema,
+    /// Print what this program is built from (CycloneDX 1.5); records state its digest
+    Sbom,
     /// List the kinds of events that are recorded, and the records of the ledger
     Events(EventsArgs),
 }
@@ -117,9 +123,11 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Verify(args) => verify(args, data),
         AuditVerb::Show(args) => show(args, data),
         AuditVerb::Keygen(args) => keygen(args, data),
+        AuditVerb::Key(args) => trust::run(args, data),
         AuditVerb::Report(args) => report::run(args, data),
         AuditVerb::Export(args) => export::run(args, data),
         AuditVerb::Events(args) => list_events(args, data),
+        AuditVerb::Sbom => Ok(Outcome { text: sbom::cyclonedx(), exit_code: 0 }),
         AuditVerb::Schema => Ok(Outcome { text: RECORD_SCHEMA.into(), exit_code: 0 }),
         AuditVerb::Ledger(args) => ledger::run(args, data),
     }
@@ -206,7 +214,7 @@ pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
         "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
         args.output.display(),
         key.public().bits(),
-        keys::ALGORITHM,
+        key.algorithm().name(),
         key.public().fingerprint()
     );
     Ok(Outcome { text, exit_code: 0 })
