@@ -5,6 +5,7 @@
 
 mod encrypted;
 mod second;
+mod token;
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
@@ -26,6 +27,7 @@ use super::time;
 use super::trust::{self, CertChain, Signed, TrustStore};
 use crate::{Error, Kind, Result};
 use second::Second;
+use token::Token;
 
 /// A signature algorithm: RSASSA-PKCS1-v1_5 and a digest, by its name in RFC 7518 §3.3.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
@@ -83,6 +85,8 @@ pub enum KeySource {
     UserData,
     /// Named by `--key`.
     NamedFile,
+    /// In a PKCS#11 token, which it never leaves.
+    Token,
 }
 
 /// Sizes of keys that Orb makes.
@@ -100,6 +104,7 @@ impl KeySource {
         match self {
             KeySource::UserData => "user-data-file",
             KeySource::NamedFile => "named-file",
+            KeySource::Token => "pkcs11",
         }
     }
 }
@@ -180,9 +185,15 @@ impl PublicKey {
     }
 }
 
+/// Where the private half is.
+enum Holder {
+    Memory(KeyPair),
+    Token(Token),
+}
+
 /// A key pair that can sign.
 pub struct SigningKey {
-    pair: KeyPair,
+    holder: Holder,
     public: PublicKey,
     source: KeySource,
     algorithm: Algorithm,
@@ -264,16 +275,36 @@ impl SigningKey {
         let spki: PublicKeyX509Der<'_> =
             pair.public_key().as_der().map_err(|_| "the public key cannot be encoded".to_owned())?;
         let public = PublicKey::from_spki(spki.as_ref())?;
-        Ok(SigningKey { pair, public, source, algorithm: Algorithm::default(), chain: None })
+        Ok(SigningKey { holder: Holder::Memory(pair), public, source, algorithm: Algorithm::default(), chain: None })
     }
 
-    /// Reads a PKCS#8 PEM file, encrypted or not, that only its owner can read.
+    /// Reads a PKCS#8 PEM file, encrypted or not, that only its owner can read; or finds a key in a PKCS#11 token, by a
+    /// URI of RFC 7512 that says where its module is: `pkcs11:token=NAME;object=NAME?module-path=/path/to/module.so`.
     ///
     /// # Errors
     /// [`Kind::Environment`] when the file cannot be read; [`Kind::Policy`] when others may read it or the key is too
     /// weak; [`Kind::Usage`] when it is not a key.
     pub fn load<'a>(named: impl Into<Named<'a>>, source: KeySource) -> Result<SigningKey> {
         let Named { path, passphrase, algorithm, chain } = named.into();
+        let key = match path.to_str().filter(|name| name.starts_with(token::SCHEME)) {
+            Some(uri) => SigningKey::from_token(Token::open(uri, passphrase)?)?,
+            None => SigningKey::from_file(path, passphrase, source)?,
+        };
+        let key = key.with_algorithm(algorithm)?;
+        match chain {
+            None => Ok(key),
+            Some(chain) => key.with_chain(chain),
+        }
+    }
+
+    fn from_token(token: Token) -> Result<SigningKey> {
+        let public = PublicKey::from_spki(token.spki())
+            .map_err(|found| Error::policy("--key").found(format!("ALG_REFUSED: {found}")))?;
+        let (source, algorithm) = (KeySource::Token, Algorithm::default());
+        Ok(SigningKey { holder: Holder::Token(token), public, source, algorithm, chain: None })
+    }
+
+    fn from_file(path: &Path, passphrase: Option<&dyn Passphrase>, source: KeySource) -> Result<SigningKey> {
         let subject = path.display().to_string();
         let metadata = fs::metadata(path).map_err(|e| {
             Error::io(path, &e).advice("`orb audit keygen -o FILE` makes a key; name it with --key FILE.")
@@ -312,13 +343,8 @@ impl SigningKey {
                 .expected(format!("an RSA key of {MIN_BITS} to {MAX_BITS} bits"))
                 .found(format!("ALG_REFUSED: {e}"))
         })?;
-        let key = SigningKey::from_pair(pair, source)
-            .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))?
-            .with_algorithm(algorithm)?;
-        match chain {
-            None => Ok(key),
-            Some(chain) => key.with_chain(chain),
-        }
+        SigningKey::from_pair(pair, source)
+            .map_err(|found| Error::policy(path.display().to_string()).found(format!("ALG_REFUSED: {found}")))
     }
 
     /// Writes the private key (mode 0600 from its creation), under a passphrase if one is given, and beside it
@@ -336,8 +362,10 @@ impl SigningKey {
                     .advice("A key is never overwritten: what it signed could no longer be verified."));
             }
         }
-        let der: Pkcs8V1Der<'_> = self
-            .pair
+        let Holder::Memory(pair) = &self.holder else {
+            return Err(Error::usage(path.display().to_string()).expected("a key that is in no token"));
+        };
+        let der: Pkcs8V1Der<'_> = pair
             .as_der()
             .map_err(|_| Error::environment(path.display().to_string()).found("the key cannot be encoded"))?;
         let text = match passphrase {
@@ -359,9 +387,12 @@ impl SigningKey {
     /// # Errors
     /// [`Kind::Environment`] when the library fails.
     pub fn sign(&self, message: &[u8]) -> Result<Vec<u8>> {
-        let mut sig = vec![0; self.pair.public_modulus_len()];
-        self.pair
-            .sign(self.algorithm.encoding(), &SystemRandom::new(), message, &mut sig)
+        let pair = match &self.holder {
+            Holder::Memory(pair) => pair,
+            Holder::Token(token) => return token.sign(self.algorithm, message),
+        };
+        let mut sig = vec![0; pair.public_modulus_len()];
+        pair.sign(self.algorithm.encoding(), &SystemRandom::new(), message, &mut sig)
             .map_err(|_| Error::environment("signing").found("the cryptographic library failed"))?;
         Ok(sig)
     }

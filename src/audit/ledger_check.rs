@@ -17,8 +17,8 @@ use super::marking::Marking;
 use super::merkle::Frontier;
 use super::pem;
 use super::publication::RECORD;
-use super::record_check::{check_fields, check_signatures, check_standing, read_statement};
-use super::report::{Finding, Range, Report};
+use super::record_check::{Policy, check_fields, check_policy, check_signatures, check_standing, read_statement};
+use super::report::{Finding, Range, Report, Severity};
 use super::statement::{Outcome, Statement};
 use super::time;
 use super::trust::{CertChain, Signed, TrustStore};
@@ -48,6 +48,7 @@ pub struct LedgerRequest<'a> {
     pub now_ms: u64,
     /// Warnings count as errors.
     pub strict: bool,
+    pub policy: Policy<'a>,
 }
 
 /// Verifies a ledger.
@@ -183,10 +184,11 @@ fn check_line(line: &[u8], request: &LedgerRequest<'_>, trust: &TrustStore) -> C
     let signer = check_signatures(&envelope, trust, subject, &mut found);
     let statement = read_statement(&envelope, subject, &mut found);
     if let Some(statement) = &statement {
-        check_fields(statement, trust, signer, request.now_ms, &mut found);
+        check_policy(statement, request.policy, &mut found);
+        check_fields(statement, trust, signer, None, request.now_ms, &mut found);
     }
     // True of most ledgers and said once, in the records themselves.
-    found.retain(|f| f.code != "TIME_UNSYNCED");
+    found.retain(|f| f.code != "TIME_UNSYNCED" || f.severity != Severity::Note);
     Checked { statement, signed_by: signer.map(|s| s.key.fingerprint().to_owned()), found }
 }
 

@@ -31,6 +31,7 @@ pub mod store_merge;
 #[cfg(test)]
 mod tamper_corpus;
 pub mod time;
+pub mod timestamp;
 pub mod trust;
 pub mod verify;
 
@@ -40,6 +41,7 @@ pub use ledger::Ledger;
 pub use marking::Marking;
 pub use publication::{Destination, Publication, Published};
 pub use record::RecordDraft;
+pub use record_check::Policy;
 pub use store_merge::{PreparedMerge, StoreLock, lock_store, merge_into_store, recover};
 pub use time::TimeReading;
 pub use trust::TrustStore;

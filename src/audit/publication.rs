@@ -37,13 +37,16 @@ pub const RECORD_KEY: &str = "orb-record.pub.pem";
 pub const RECORD_PROOF: &str = "orb-proof.tlog";
 /// The signer's certificates, where the key has some.
 pub const RECORD_CHAIN: &str = "orb-record.chain.pem";
+/// A time stamp of the record, once one was imported.
+pub const RECORD_STAMP: &str = "orb-record.tsr";
 /// The marking of everything in the folder, for files whose format has no place for one.
 pub const MARKING_SIDECAR: &str = "orb-marking.json";
 /// Before the names of subjects that stand in a store and not in the published folder.
 pub const STORE_PREFIX: &str = "store:";
 
 /// Written by the seal itself, so they cannot be among the subjects.
-pub const SEAL_FILES: [&str; 6] = [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF, RECORD_CHAIN];
+pub const SEAL_FILES: [&str; 7] =
+    [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF, RECORD_CHAIN, RECORD_STAMP];
 
 /// Where and as what to publish.
 #[derive(Clone, Debug)]

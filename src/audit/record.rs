@@ -338,6 +338,7 @@ pub(crate) mod tests {
         assert_eq!(statement.trail_hash().unwrap(), sealed.trail_hash);
         assert_eq!(statement.predicate.chain.prev, "0".repeat(64));
         assert_eq!(statement.predicate.chain.seq, 0);
+        assert_eq!(statement.predicate.crypto.fips_mode, cfg!(feature = "fips"));
         let sig = &sealed.envelope.signatures[0];
         assert_eq!(sig.keyid, shared_key().public().fingerprint());
         assert_eq!(shared_key().public().verify(&sealed.envelope.pae(), &sig.sig), Ok(Some(Algorithm::Rs256)));

@@ -4,13 +4,42 @@ use super::dsse::Envelope;
 use super::keys::{ADVISED_BITS, Algorithm, PublicKey};
 use super::marking::{Ism, Marking};
 use super::record;
-use super::report::Finding;
+use super::report::{Finding, Severity, Verdict};
 use super::statement::{GENESIS, Statement};
 use super::time::{self, SyncStatus};
 use super::trust::{Signed, TrustStore};
 
 /// How far a record's time may lie ahead of this machine's clock, milliseconds.
 const FUTURE_SKEW_MS: u64 = 5 * 60 * 1000;
+
+/// What a verifier asks for beyond a record that is whole.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Policy<'a> {
+    /// Refuse a record whose clock was not known to agree with UTC.
+    pub require_time_sync: bool,
+    /// SHA-256 of the only weights that may have been used.
+    pub models: Option<&'a [String]>,
+}
+
+/// A record against a policy: `TIME_UNSYNCED` as an error, `MODEL_NOT_ALLOWED`.
+pub(super) fn check_policy(statement: &Statement, policy: Policy<'_>, found: &mut Vec<Finding>) {
+    let p = &statement.predicate;
+    if policy.require_time_sync && p.time.sync_status != SyncStatus::Synchronised {
+        let mut finding = Finding::new("TIME_UNSYNCED", "time.sync_status").expected("a synchronised clock");
+        (finding.severity, finding.verdict) = (Severity::Error, Verdict::Refused);
+        found.push(finding);
+    }
+    let Some(allowed) = policy.models else { return };
+    for model in &p.models {
+        if let Some(sha256) = model.weights_sha256.as_ref().filter(|s| !allowed.contains(s)) {
+            found.push(
+                Finding::new("MODEL_NOT_ALLOWED", format!("models.{}", model.id))
+                    .expected("weights of the list")
+                    .actual(sha256),
+            );
+        }
+    }
+}
 
 /// Who signed, and how.
 #[derive(Clone, Copy, Debug)]
@@ -103,6 +132,7 @@ pub(super) fn check_fields(
     statement: &Statement,
     trust: &TrustStore,
     signer: Option<Signer<'_>>,
+    proven_ms: Option<u64>,
     now_ms: u64,
     found: &mut Vec<Finding>,
 ) {
@@ -115,7 +145,7 @@ pub(super) fn check_fields(
         );
     }
     if let Some(who @ Signer { key: signer, .. }) = signer {
-        let signed = Signed { stated_ms: time::parse_utc(&p.time.utc).unwrap_or_default(), proven_ms: None };
+        let signed = Signed { stated_ms: time::parse_utc(&p.time.utc).unwrap_or_default(), proven_ms };
         check_standing(trust, who, signed, statement.marking().as_ref(), "signing key", found);
         if let Some(chain) = trust.chain_of(signer.fingerprint()) {
             let stated = p.actor.cert_chain_sha256.clone().unwrap_or_default();
@@ -158,6 +188,15 @@ pub(super) fn check_fields(
         found.push(
             Finding::new("TIME_FUTURE", "time.utc")
                 .expected(format!("not after {}", time::format_utc(now_ms)))
+                .actual(&p.time.utc),
+        );
+    }
+    if let (Some(proven), Some(stated)) = (proven_ms, time::parse_utc(&p.time.utc))
+        && stated > proven.saturating_add(FUTURE_SKEW_MS)
+    {
+        found.push(
+            Finding::new("TIME_FUTURE", "time.utc")
+                .expected(format!("not after its time stamp, {}", time::format_utc(proven)))
                 .actual(&p.time.utc),
         );
     }

@@ -103,12 +103,19 @@ impl Finding {
 fn weight(code: &str) -> (Severity, Verdict) {
     match code {
         "INPUT_MISSING" | "STORE_NOT_CHECKED" | "TIME_UNSYNCED" | "TAIL_UNANCHORED" | "LEDGER_OPEN"
-        | "FOLDER_NOT_FOUND" | "KEY_REVOKED_LATER" | "CERT_REVOKED_LATER" => (Severity::Note, Verdict::Pass),
-        "OUTPUT_EXTRA" | "KEY_SHORT" | "SEAL_FILE_MISSING" | "PROOF_MISSING" | "INCOMPLETE_APPEND" => {
-            (Severity::Warning, Verdict::Pass)
+        | "FOLDER_NOT_FOUND" | "KEY_REVOKED_LATER" | "CERT_REVOKED_LATER" | "TIME_STAMPED" => {
+            (Severity::Note, Verdict::Pass)
         }
+        "OUTPUT_EXTRA"
+        | "KEY_SHORT"
+        | "TIME_STAMP_UNTRUSTED"
+        | "SEAL_FILE_MISSING"
+        | "PROOF_MISSING"
+        | "INCOMPLETE_APPEND" => (Severity::Warning, Verdict::Pass),
         "RECORD_MISSING" | "TRUST_STORE_EMPTY" | "ANCHOR_REQUIRED" => (Severity::Error, Verdict::Incomplete),
-        "ALG_REFUSED" | "MARKING_UNSUPPORTED" | "KEY_SCOPE" => (Severity::Error, Verdict::Refused),
+        "ALG_REFUSED" | "MARKING_UNSUPPORTED" | "KEY_SCOPE" | "MODEL_NOT_ALLOWED" => {
+            (Severity::Error, Verdict::Refused)
+        }
         _ => (Severity::Error, Verdict::Fail),
     }
 }
@@ -116,12 +123,17 @@ fn weight(code: &str) -> (Severity, Verdict) {
 fn controls(code: &str) -> &'static [&'static str] {
     match code {
         "OUTPUT_DIGEST" | "OUTPUT_MISSING" | "OUTPUT_EXTRA" | "INPUT_DIGEST" | "INPUT_MISSING"
-        | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
+        | "MODEL_NOT_ALLOWED" | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
         "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" | "KEY_EXPIRED" | "KEY_REVOKED"
         | "KEY_REVOKED_LATER" | "KEY_SCOPE" | "CERT_EXPIRED" | "CERT_REVOKED" | "CERT_REVOKED_LATER"
         | "CERT_UNTRUSTED" => &["au-9.3", "au-10"],
         "ALG_REFUSED" | "KEY_SHORT" => &["sc-13"],
-        "TIME_FUTURE" | "TIME_UNSYNCED" | "TIME_ROLLBACK" => &["au-8"],
+        "TIME_STAMPED"
+        | "TIME_STAMP_UNTRUSTED"
+        | "TIME_STAMP_INVALID"
+        | "TIME_FUTURE"
+        | "TIME_UNSYNCED"
+        | "TIME_ROLLBACK" => &["au-8"],
         "MARKING_DOWNGRADE" | "MARKING_INBAND_MISMATCH" | "MARKING_UNSUPPORTED" => &["mp-3", "ac-16"],
         "SCHEMA_INVALID" | "TYPE_UNSUPPORTED" | "RECORD_MISSING" => &["au-3", "au-12"],
         _ => &["au-9.3"],
@@ -153,6 +165,9 @@ fn hint(code: &str) -> &'static str {
         "PATH_REFUSED" => "Orb publishes plain files only; links and names that leave the folder are never followed.",
         "MARKING_INBAND_MISMATCH" => "Handle the file at the higher of both markings until its owner has looked at it.",
         "MARKING_DOWNGRADE" => "Handle the folder at the inputs' marking until its owner has looked at it.",
+        "TIME_STAMPED" => "Somebody else says that the record stood then.",
+        "TIME_STAMP_UNTRUSTED" => "Add the certificate of its authority: orb audit key trust add FILE.",
+        "TIME_STAMP_INVALID" => "The time stamp is of another record or was changed: it shows nothing.",
         "TIME_FUTURE" => "One of the two clocks is wrong.",
         "TIME_UNSYNCED" => "The signer's clock was not known to agree with UTC.",
         "TAIL_UNANCHORED" => "A signature shows who and what, not that no later record was cut off.",
@@ -185,6 +200,7 @@ fn hint(code: &str) -> &'static str {
         "CERT_UNTRUSTED" => {
             "Get the authority's certificate from the authority and add it: orb audit key trust add FILE."
         }
+        "MODEL_NOT_ALLOWED" => "The result was made with weights that your list does not hold.",
         "KEY_SHORT" => "3072 bits or more are advised.",
         _ => "",
     }

@@ -21,7 +21,7 @@ use super::report::{Report, Severity};
 use super::trust::TrustStore;
 use super::verify::tests::{forge, payload, sign_payload};
 use super::verify::{Request, verify};
-use super::{canonical, disk};
+use super::{Policy, canonical, disk};
 
 /// Any time after the corpus's records.
 const NOW_MS: u64 = 1_763_700_000_000;
@@ -64,8 +64,15 @@ fn run(root: &Path, case: &Case) -> Report {
     match case.kind {
         Kind::Folder => {
             let folder = root.join("folder").join(&case.name);
-            let request =
-                Request { folder: &folder, trust: &trust, inputs: &beside, store: None, now_ms: NOW_MS, strict: false };
+            let request = Request {
+                folder: &folder,
+                trust: &trust,
+                inputs: &beside,
+                store: None,
+                now_ms: NOW_MS,
+                strict: false,
+                policy: Policy::default(),
+            };
             verify(&request).unwrap()
         }
         Kind::Ledger => verify_ledger(&LedgerRequest {
@@ -75,6 +82,7 @@ fn run(root: &Path, case: &Case) -> Report {
             require_anchor: false,
             now_ms: NOW_MS,
             strict: false,
+            policy: Policy::default(),
         })
         .unwrap(),
     }

@@ -50,6 +50,13 @@ impl TimeReading {
 
     /// One honest line for a person.
     pub fn describe(&self) -> String {
+        if let (Source::NtpQuery, Some(offset), Some(error)) = (self.source, self.offset_us, self.max_error_us) {
+            let (offset, error) = (offset.div_euclid(1000), error.div_euclid(1000));
+            return format!(
+                "{} (an NTP server was asked: clock off by {offset} ms, error at most {error} ms)",
+                self.utc()
+            );
+        }
         let quality = match (self.sync_status, self.max_error_us) {
             (SyncStatus::Synchronised, Some(e)) => {
                 format!("the kernel calls its clock synchronised, error at most {} ms", e.div_euclid(1000))
@@ -83,6 +90,38 @@ pub fn now() -> Result<TimeReading> {
     let (source, sync_status, offset_us, max_error_us) = kernel_quality();
     Ok(TimeReading { unix_ms, source, sync_status, offset_us, max_error_us })
 }
+
+/// Asks an NTP server (SNTP, RFC 4330) and corrects the reading by its answer. The only network access that Orb has; made
+/// only when a user names a server.
+///
+/// # Errors
+/// [`crate::Kind::Environment`] when it does not answer, or says itself that it does not know the time.
+pub fn ask_server(server: &str, local: TimeReading) -> Result<TimeReading> {
+    let failed = |found: String| {
+        Error::environment(format!("--ntp-server {server}"))
+            .expected("an answer of a time server that is synchronised")
+            .found(found)
+            .advice("Without --ntp-server the record states what the kernel says of its own clock.")
+    };
+    let client = rsntp::SntpClient::with_config(rsntp::Config::default().timeout(NTP_TIMEOUT));
+    let answer = client.synchronize(server).map_err(|e| failed(e.to_string()))?;
+    if answer.leap_indicator() == rsntp::LeapIndicator::AlarmCondition {
+        return Err(failed("a server whose own clock is not synchronised".into()));
+    }
+    let micros = |seconds: f64| (seconds * 1e6).round() as i64;
+    let offset_us = micros(answer.clock_offset().as_secs_f64());
+    let unix_ms = local.unix_ms.checked_add_signed(offset_us.div_euclid(1000)).filter(|ms| *ms <= LAST_MS);
+    Ok(TimeReading {
+        unix_ms: unix_ms.ok_or_else(|| failed("a time outside 1970 to 9999".into()))?,
+        source: Source::NtpQuery,
+        sync_status: SyncStatus::Synchronised,
+        offset_us: Some(offset_us),
+        // RFC 5905 §11.1: half of the way there and back bounds what the way can hide.
+        max_error_us: Some(micros(answer.round_trip_delay().as_secs_f64().abs() / 2.0)),
+    })
+}
+
+const NTP_TIMEOUT: std::time::Duration = std::time::Duration::from_secs(5);
 
 type Quality = (Source, SyncStatus, Option<i64>, Option<i64>);
 
@@ -230,6 +269,42 @@ mod tests {
         fn later_is_greater_as_text(a in 0..=LAST_MS, b in 0..=LAST_MS) {
             prop_assert_eq!(a.cmp(&b), format_utc(a).cmp(&format_utc(b)));
         }
+    }
+
+    /// A server on this machine that answers one request (RFC 5905 §7.3), ten seconds ahead; with `leap` 3 it is itself
+    /// not synchronised.
+    fn server(leap: u8) -> std::net::SocketAddr {
+        let socket = std::net::UdpSocket::bind(("127.0.0.1", 0)).unwrap();
+        let at = socket.local_addr().unwrap();
+        std::thread::spawn(move || {
+            let mut request = [0; 48];
+            let (_, client) = socket.recv_from(&mut request).unwrap();
+            let since_1900 = |ahead: f64| {
+                let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap().as_secs_f64() + 2_208_988_800.0 + ahead;
+                ((now.trunc() as u64) << 32 | (now.fract() * 4_294_967_296.0) as u64).to_be_bytes()
+            };
+            let mut answer = [0; 48];
+            answer[0] = leap << 6 | 4 << 3 | 4;
+            answer[1] = 2;
+            answer[12..16].copy_from_slice(&[127, 0, 0, 1]);
+            answer[16..24].copy_from_slice(&since_1900(0.0));
+            answer[24..32].copy_from_slice(&request[40..48]);
+            answer[32..40].copy_from_slice(&since_1900(10.0));
+            answer[40..48].copy_from_slice(&since_1900(10.0));
+            socket.send_to(&answer, client).unwrap();
+        });
+        at
+    }
+
+    #[test]
+    fn a_server_that_was_named() {
+        let local = now().unwrap();
+        let asked = ask_server(&server(0).to_string(), local).unwrap();
+        assert_eq!((asked.source, asked.sync_status), (Source::NtpQuery, SyncStatus::Synchronised));
+        assert!((asked.unix_ms - local.unix_ms).abs_diff(10_000) < 1000, "{asked:?}");
+        assert!(asked.describe().contains("an NTP server was asked"), "{}", asked.describe());
+        let error = ask_server(&server(3).to_string(), local).unwrap_err();
+        assert_eq!(error.kind, crate::Kind::Environment);
     }
 
     #[test]

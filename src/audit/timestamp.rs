@@ -76,7 +76,8 @@ pub fn request(message: &[u8], nonce: [u8; 8]) -> Result<Vec<u8>, String> {
 pub fn check(token: &[u8], message: &[u8], trust: &TrustStore) -> Result<Stamp, Refused> {
     let (signed, info, content) = parse(token).map_err(Refused::Invalid)?;
     let imprint = &info.message_imprint;
-    if imprint.hash_algorithm.oid != SHA_256 || imprint.hashed_message.as_bytes() != Sha256::digest(message).as_slice() {
+    if imprint.hash_algorithm.oid != SHA_256 || imprint.hashed_message.as_bytes() != Sha256::digest(message).as_slice()
+    {
         return Err(Refused::Invalid("a time stamp of something else".into()));
     }
     let certificates = certificates(&signed).map_err(Refused::Invalid)?;
@@ -177,7 +178,9 @@ fn check_attributes(signer: &SignerInfo, content: &[u8], certificate: &[u8]) -> 
     }
     // SigningCertificateV2 { certs { ESSCertIDv2 { hashAlgorithm DEFAULT sha256, certHash, … }, … }, … }.
     let first = |any: &Any| any.decode_as::<Vec<Any>>().ok();
-    let id = first(&value(SIGNING_CERTIFICATE_V2)?).and_then(|v| v.first().and_then(first)).and_then(|v| v.first().and_then(first));
+    let id = first(&value(SIGNING_CERTIFICATE_V2)?)
+        .and_then(|v| v.first().and_then(first))
+        .and_then(|v| v.first().and_then(first));
     let hash = id.unwrap_or_default().iter().find_map(|part| part.decode_as::<OctetString>().ok());
     let hash = hash.ok_or("no digest of the signer's certificate")?;
     let expected = match hash.as_bytes().len() {

@@ -70,6 +70,20 @@ impl TrustStore {
         Ok(store)
     }
 
+    /// The same store, if it is the one that its user wrote down.
+    ///
+    /// # Errors
+    /// [`crate::Kind::Policy`], `TRUST_STORE_CHANGED`.
+    pub fn expect(self, sha256: Option<&str>) -> Result<TrustStore> {
+        match sha256 {
+            Some(expected) if expected != self.sha256() => Err(Error::policy("trust store")
+                .expected(expected)
+                .found(format!("TRUST_STORE_CHANGED: {}", self.sha256()))
+                .advice("`orb audit key trust list` says what is in it. Keys named with --trust-key are part of it.")),
+            _ => Ok(self),
+        }
+    }
+
     /// Trusts a key for everything; what is already said of it stays said.
     pub fn insert(&mut self, key: PublicKey) {
         self.keys.entry(key.fingerprint().to_owned()).or_insert((key, Entry::default()));
@@ -109,6 +123,24 @@ impl TrustStore {
             }
             (None, None) => Vec::new(),
         }
+    }
+
+    /// Checks a time stamping authority's signature at a time: who it is (RFC 4514).
+    ///
+    /// # Errors
+    /// Words saying why it does not count.
+    pub(super) fn check_time_stamping(
+        &self,
+        chain: &[Vec<u8>],
+        at_ms: u64,
+        message: &[u8],
+        sig: &[u8],
+        digest_bits: usize,
+    ) -> Result<String, String> {
+        let authorities: Vec<Authority> = self.authorities.values().cloned().collect();
+        let crls: Vec<Vec<u8>> = self.crls.values().cloned().collect();
+        chain::check_time_stamping(&authorities, &crls, chain, at_ms)?;
+        chain::check_signature(chain, message, sig, digest_bits)
     }
 
     /// Nobody is trusted.
@@ -296,4 +328,4 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

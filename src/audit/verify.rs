@@ -16,12 +16,14 @@ use super::keys::PublicKey;
 use super::marking::Marking;
 use super::pem;
 use super::publication::{
-    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, SEAL_FILES, STORE_PREFIX,
+    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, RECORD_STAMP, SEAL_FILES, STORE_PREFIX,
 };
 use super::record;
-use super::record_check::{check_fields, check_signatures, read_statement};
+use super::record_check::{Policy, check_fields, check_policy, check_signatures, read_statement};
 use super::report::{Counts, Finding, Range, Report};
 use super::statement::{Statement, Subject};
+use super::time;
+use super::timestamp::{self, Refused};
 use super::trust::{CertChain, TrustStore};
 use crate::{Error, Result};
 
@@ -41,6 +43,7 @@ pub struct Request<'a> {
     pub now_ms: u64,
     /// Warnings count as errors.
     pub strict: bool,
+    pub policy: Policy<'a>,
 }
 
 /// Verifies a published folder.
@@ -59,8 +62,10 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
         let trust = &with_chain(request, &mut found)?;
         let signer = check_signatures(&envelope, trust, RECORD, &mut found);
         check_seal_files(request.folder, &envelope, &mut found)?;
+        let stamp = check_stamp(request, &mut found)?;
         if let Some(statement) = read_statement(&envelope, RECORD, &mut found) {
-            check_fields(&statement, trust, signer, request.now_ms, &mut found);
+            check_fields(&statement, trust, signer, stamp, request.now_ms, &mut found);
+            check_policy(&statement, request.policy, &mut found);
             check_proof(request, trust, &statement, &mut found)?;
             report.counts = check_files(request, &statement, &mut found)?;
             report.counts.records = 1;
@@ -157,6 +162,33 @@ fn with_chain(request: &Request<'_>, found: &mut Vec<Finding>) -> Result<TrustSt
         found.push(Finding::new("CERT_UNTRUSTED", RECORD_CHAIN).expected("a path to a trusted authority").actual(why));
     }
     Ok(trust)
+}
+
+/// Not after when the record stood, by the word of a time stamp beside it.
+fn check_stamp(request: &Request<'_>, found: &mut Vec<Finding>) -> Result<Option<u64>> {
+    let (path, record) = (request.folder.join(RECORD_STAMP), request.folder.join(RECORD));
+    match fs::symlink_metadata(&path) {
+        Ok(metadata) if metadata.is_file() => {}
+        // None, or a link that the walk over the folder reports.
+        _ => return Ok(None),
+    }
+    let token = disk::read_limited(&path, timestamp::MAX_BYTES)?;
+    let record = disk::read_limited(&record, MAX_ENVELOPE_BYTES as u64)?;
+    match timestamp::check(&token, &record, request.trust) {
+        Ok(stamp) => {
+            let words = format!("not after {}, says {}", time::format_utc(stamp.not_after_ms), stamp.authority);
+            found.push(Finding::new("TIME_STAMPED", RECORD_STAMP).actual(words));
+            Ok(Some(stamp.not_after_ms))
+        }
+        Err(refused) => {
+            let (code, why) = match refused {
+                Refused::Untrusted(why) => ("TIME_STAMP_UNTRUSTED", why),
+                Refused::Invalid(why) => ("TIME_STAMP_INVALID", why),
+            };
+            found.push(Finding::new(code, RECORD_STAMP).expected("a time stamp of this record").actual(why));
+            Ok(None)
+        }
+    }
 }
 
 /// The files for verification by hand must say the same as the record.

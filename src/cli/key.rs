@@ -12,11 +12,12 @@ use crate::{Error, Result};
 /// The key that signs.
 #[derive(Args, Clone, Debug, Default)]
 pub struct KeyArgs {
-    /// Signing key (PKCS#8 PEM, encrypted or not). Needed above UNCLASSIFIED; else the user's own, made on the first run.
+    /// Signing key (PKCS#8 PEM, encrypted or not), or one in a PKCS#11 token:
+    /// pkcs11:token=NAME;object=NAME?module-path=/path/to/module.so. Needed above UNCLASSIFIED; else the user's own, made on the first run.
     #[arg(long, value_name = "FILE")]
     pub key: Option<PathBuf>,
 
-    /// Where the key's passphrase is: file:PATH (its first line), env:NAME, or prompt.
+    /// Where the key's passphrase or the token's PIN is: file:PATH (its first line), env:NAME, or prompt.
     #[arg(long, value_name = "SOURCE", requires = "key")]
     pub key_passphrase: Option<PassphraseSource>,
 
@@ -27,6 +28,10 @@ pub struct KeyArgs {
     /// Certificates of the signing key (PEM, the signer's own first, without the root): they travel with the record.
     #[arg(long, value_name = "FILE", requires = "key")]
     pub cert_chain: Option<PathBuf>,
+
+    /// Ask this time server (HOST or HOST:PORT) when the record is made. Without this Orb uses no network.
+    #[arg(long, value_name = "HOST")]
+    pub ntp_server: Option<String>,
 }
 
 impl KeyArgs {

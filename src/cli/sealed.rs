@@ -7,7 +7,7 @@ use super::key::KeyArgs;
 use crate::audit::marking::handling::Handling;
 use crate::audit::statement::{Input, Model, Param};
 use crate::audit::{DataFolder, Destination, Ledger, Publication, Published, RecordDraft, SigningKey};
-use crate::audit::{TimeReading, keys};
+use crate::audit::{TimeReading, keys, time};
 use crate::{Error, Result};
 
 /// A run that may publish, from its first check to its seal. Dropped before that, nothing of it remains.
@@ -16,6 +16,7 @@ pub struct SealedRun {
     key: SigningKey,
     handling: Handling,
     event_random: [u8; 10],
+    ntp_server: Option<String>,
     pub publication: Publication,
 }
 
@@ -35,6 +36,7 @@ impl SealedRun {
     /// # Errors
     /// As [`keys::for_marking`] and [`Publication::begin`].
     pub fn begin(folder: &Path, replace: bool, handling: Handling, key: &KeyArgs, quiet: bool) -> Result<SealedRun> {
+        let ntp_server = key.ntp_server.clone();
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
         let key = keys::for_marking(&data, &handling.marking, key.named())?;
         if let Some(warning) = &key.warning {
@@ -53,7 +55,7 @@ impl SealedRun {
         let nonce = u64::from_le_bytes(nonce);
         let destination = Destination { folder: folder.to_owned(), replace, handling: handling.clone(), nonce };
         let publication = Publication::begin(&destination)?;
-        Ok(SealedRun { data, key: key.key, handling, event_random, publication })
+        Ok(SealedRun { data, key: key.key, handling, event_random, ntp_server, publication })
     }
 
     /// Signs, appends to the ledger, publishes.
@@ -62,6 +64,11 @@ impl SealedRun {
     /// As [`Publication::seal`].
     pub fn seal(self, evidence: Evidence) -> Result<Published> {
         let Evidence { event_type, command, time, inputs, models, params } = evidence;
+        let time = match &self.ntp_server {
+            None => time,
+            // Asked now, for when the record is made; the run began a while ago.
+            Some(server) => time::ask_server(server, time::now()?)?,
+        };
         let draft = RecordDraft {
             inputs,
             models,

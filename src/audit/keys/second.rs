@@ -59,10 +59,7 @@ impl Second {
         let Some(s) = (sig.len() == length).then(|| integer(sig).ok()).flatten().filter(|s| s < modulus) else {
             return false;
         };
-        let encoded = match algorithm {
-            Algorithm::Rs256 => encode(&SHA256_INFO, &Sha256::digest(message), length),
-            Algorithm::Rs384 => encode(&SHA384_INFO, &Sha384::digest(message), length),
-        };
+        let encoded = encode(&digest_info(algorithm, message), length);
         let recovered = self.power(&s).to_be_bytes_trimmed_vartime();
         // The encoded message begins with a zero, which an integer does not show.
         encoded.is_some_and(|encoded| encoded[1..] == *recovered)
@@ -88,8 +85,16 @@ fn integer(bytes: &[u8]) -> Result<BoxedUint, String> {
     BoxedUint::from_be_slice(bytes, bits).map_err(|e| e.to_string())
 }
 
+/// DigestInfo of a message, DER (RFC 8017 §9.2, steps 1 and 2).
+pub(super) fn digest_info(algorithm: Algorithm, message: &[u8]) -> Vec<u8> {
+    match algorithm {
+        Algorithm::Rs256 => [&SHA256_INFO[..], &Sha256::digest(message)].concat(),
+        Algorithm::Rs384 => [&SHA384_INFO[..], &Sha384::digest(message)].concat(),
+    }
+}
+
 /// EMSA-PKCS1-v1_5 (RFC 8017 §9.2) of so many bytes; `None` when they are too few.
-fn encode(info: &[u8], digest: &[u8], length: usize) -> Option<Vec<u8>> {
-    let padding = length.checked_sub(info.len() + digest.len() + 3).filter(|n| *n >= 8)?;
-    Some([&[0, 1], &vec![0xff; padding][..], &[0], info, digest].concat())
+fn encode(info: &[u8], length: usize) -> Option<Vec<u8>> {
+    let padding = length.checked_sub(info.len() + 3).filter(|n| *n >= 8)?;
+    Some([&[0, 1], &vec![0xff; padding][..], &[0], info].concat())
 }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use cryptoki::context::{CInitializeArgs, CInitializeFlags, Pkcs11};
+use cryptoki::error::{Error as Error11, RvError};
 use cryptoki::mechanism::{Mechanism, MechanismType};
 use cryptoki::object::{Attribute, AttributeType, KeyType, ObjectClass, ObjectHandle};
 use cryptoki::session::{Session, UserType};
@@ -69,7 +70,7 @@ impl Token {
         let module = Pkcs11::new(&name.module).map_err(|e| failed("loading", e))?;
         match module.initialize(CInitializeArgs::new(CInitializeFlags::OS_LOCKING_OK)) {
             // Another key of this process is in a token of the same module.
-            Ok(()) | Err(cryptoki::error::Error::AlreadyInitialized) => {}
+            Ok(()) | Err(Error11::Pkcs11(RvError::CryptokiAlreadyInitialized, _)) => {}
             Err(e) => return Err(failed("initialising", e)),
         }
         let slot = find_slot(&module, &name).map_err(|e| failed("listing tokens", e))?;
@@ -83,9 +84,10 @@ impl Token {
         })?;
         let pin = AuthPin::new(pin.read()?.as_str().into());
         session.login(UserType::User, Some(&pin)).map_err(|e| {
-            Error::policy("--key").expected("the token's PIN").found(format!("PASSPHRASE_REFUSED: {e}")).advice(
-                "A token locks itself after a few wrong PINs: do not just try again.",
-            )
+            Error::policy("--key")
+                .expected("the token's PIN")
+                .found(format!("PASSPHRASE_REFUSED: {e}"))
+                .advice("A token locks itself after a few wrong PINs: do not just try again.")
         })?;
         let mut wanted = vec![Attribute::Class(ObjectClass::PRIVATE_KEY), Attribute::KeyType(KeyType::RSA)];
         wanted.extend(name.object.as_ref().map(|label| Attribute::Label(label.clone().into_bytes())));
@@ -147,7 +149,8 @@ fn find_slot(module: &Pkcs11, name: &Name) -> cryptoki::error::Result<Option<Slo
 
 fn spki(n: &[u8], e: &[u8]) -> der::Result<Vec<u8>> {
     let key = pkcs1::RsaPublicKey { modulus: UintRef::new(n)?, public_exponent: UintRef::new(e)? }.to_der()?;
-    SubjectPublicKeyInfoRef { algorithm: pkcs1::ALGORITHM_ID, subject_public_key: BitStringRef::from_bytes(&key)? }.to_der()
+    SubjectPublicKeyInfoRef { algorithm: pkcs1::ALGORITHM_ID, subject_public_key: BitStringRef::from_bytes(&key)? }
+        .to_der()
 }
 
 /// Attributes of RFC 7512 that Orb does not know are refused: one that is passed over could have named another key.

@@ -38,8 +38,15 @@ fn trust() -> TrustStore {
 
 fn check_with(path: &Path, checkpoints: &[PathBuf], require_anchor: bool) -> Report {
     let trust = trust();
-    let request =
-        LedgerRequest { ledger: path, trust: &trust, checkpoints, require_anchor, now_ms: NOW_MS, strict: false };
+    let request = LedgerRequest {
+        ledger: path,
+        trust: &trust,
+        checkpoints,
+        require_anchor,
+        now_ms: NOW_MS,
+        strict: false,
+        policy: Policy::default(),
+    };
     verify_ledger(&request).unwrap()
 }
 
@@ -118,7 +125,8 @@ fn a_cut_tail_is_seen_by_whoever_kept_a_checkpoint() {
             checkpoints: &[],
             require_anchor: false,
             now_ms: NOW_MS,
-            strict: false
+            strict: false,
+            policy: Policy::default()
         })
         .unwrap_err()
         .kind,

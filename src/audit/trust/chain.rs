@@ -27,6 +27,8 @@ pub const CRL: &str = "X509 CRL";
 const MAX_CHAIN: usize = 8;
 /// id-kp-documentSigning, RFC 9336.
 const DOCUMENT_SIGNING: &str = "1.3.6.1.5.5.7.3.36";
+/// id-kp-timeStamping, RFC 3161 §2.3.
+const TIME_STAMPING: &str = "1.3.6.1.5.5.7.3.8";
 /// anyExtendedKeyUsage, RFC 5280 §4.2.1.12.
 const ANY_USAGE: &str = "2.5.29.37.0";
 
@@ -70,8 +72,7 @@ impl CertChain {
         let subject = tbs.subject.to_string();
         let operator = common_name(&leaf).unwrap_or_else(|| subject.clone());
         let not_before_ms = tbs.validity.not_before.to_unix_duration().as_millis() as u64;
-        let usages = tbs.get::<ExtendedKeyUsage>().map_err(|e| e.to_string())?;
-        let usages = usages.map_or(Vec::new(), |(_, usages)| usages.0.iter().map(ToString::to_string).collect());
+        let usages = usages(&leaf)?;
         Ok(CertChain { der, key, subject, operator, usages, not_before_ms })
     }
 
@@ -164,6 +165,36 @@ pub fn judge(authorities: &[Authority], crls: &[Vec<u8>], chain: &CertChain, sig
     }
 }
 
+/// Whether the first of these certificates (DER) is a time stamping authority's at that time; else why not.
+pub fn check_time_stamping(
+    authorities: &[Authority],
+    crls: &[Vec<u8>],
+    der: &[Vec<u8>],
+    at_ms: u64,
+) -> Result<(), String> {
+    let usages = usages(&parse(der.first().ok_or("no certificate")?)?)?;
+    // RFC 3161 §2.3: this usage and no other.
+    if usages != [TIME_STAMPING] {
+        return Err(format!("extended key usage {:?}, not {TIME_STAMPING} alone", usages.join(" ")));
+    }
+    let lists: Vec<CertRevocationList<'_>> =
+        crls.iter().filter_map(|der| BorrowedCertRevocationList::from_der(der).ok()).map(Into::into).collect();
+    let lists: Vec<&CertRevocationList<'_>> = lists.iter().collect();
+    path_for(authorities, der, &usages, Some(TIME_STAMPING), at_ms, &lists).map_err(|e| e.to_string())
+}
+
+/// Verifies a signature by the first certificate's key over a digest of so many bits: the certificate's subject.
+pub fn check_signature(der: &[Vec<u8>], message: &[u8], sig: &[u8], digest_bits: usize) -> Result<String, String> {
+    let first = der.first().ok_or("no certificate")?;
+    let leaf = CertificateDer::from(first.as_slice());
+    let leaf = EndEntityCert::try_from(&leaf).map_err(|e| e.to_string())?;
+    let fitting = ALGORITHMS.iter().zip(DIGEST_BITS).filter(|(_, bits)| *bits == digest_bits);
+    if !fitting.map(|(algorithm, _)| *algorithm).any(|a| leaf.verify_signature(a, message, sig).is_ok()) {
+        return Err("a signature that is not good".into());
+    }
+    Ok(parse(first)?.tbs_certificate.subject.to_string())
+}
+
 /// Why a chain leads to no authority.
 #[derive(Debug)]
 enum Refusal {
@@ -197,8 +228,20 @@ fn path(
     at_ms: u64,
     crls: &[&CertRevocationList<'_>],
 ) -> Result<(), Refusal> {
+    path_for(authorities, &chain.der, &chain.usages, None, at_ms, crls)
+}
+
+/// `usage`: the one that is asked for, in place of what each authority asks for.
+fn path_for(
+    authorities: &[Authority],
+    der: &[Vec<u8>],
+    usages: &[String],
+    usage: Option<&str>,
+    at_ms: u64,
+    crls: &[&CertRevocationList<'_>],
+) -> Result<(), Refusal> {
     let at = UnixTime::since_unix_epoch(Duration::from_millis(at_ms));
-    let certificates: Vec<CertificateDer<'_>> = chain.der.iter().map(|d| CertificateDer::from(d.as_slice())).collect();
+    let certificates: Vec<CertificateDer<'_>> = der.iter().map(|d| CertificateDer::from(d.as_slice())).collect();
     let mut last = Refusal::Path(webpki::Error::UnknownIssuer);
     let Some((leaf, between)) = certificates.split_first() else { return Err(last) };
     let leaf = EndEntityCert::try_from(leaf).map_err(Refusal::Path)?;
@@ -208,12 +251,12 @@ fn path(
         // No lists, no options.
         let revocation = RevocationOptionsBuilder::new(crls).ok();
         let revocation = revocation.map(|b| b.with_status_policy(UnknownStatusPolicy::Allow).build());
-        let wanted = authority.entry.eku.as_deref().unwrap_or(DOCUMENT_SIGNING);
+        let wanted = usage.or(authority.entry.eku.as_deref()).unwrap_or(DOCUMENT_SIGNING);
         match leaf.verify_for_usage(&ALGORITHMS, &[anchor], between, at, AnyUsage, revocation, None) {
-            Ok(_) if chain.usages.is_empty() || chain.usages.iter().any(|u| u == wanted || u == ANY_USAGE) => {
+            Ok(_) if usages.is_empty() || usages.iter().any(|u| u == wanted || u == ANY_USAGE) => {
                 return Ok(());
             }
-            Ok(_) => last = Refusal::Usage(chain.usages.join(" "), wanted.to_owned()),
+            Ok(_) => last = Refusal::Usage(usages.join(" "), wanted.to_owned()),
             Err(webpki::Error::UnknownIssuer) => {}
             Err(other) => last = Refusal::Path(other),
         }
@@ -251,6 +294,12 @@ impl ExtendedKeyUsageValidator for AnyUsage {
 
 fn parse(der: &[u8]) -> Result<Certificate, String> {
     Certificate::from_der(der).map_err(|e| format!("a damaged certificate ({e})"))
+}
+
+/// Extended key usages; none when the certificate leaves it open.
+fn usages(certificate: &Certificate) -> Result<Vec<String>, String> {
+    let found = certificate.tbs_certificate.get::<ExtendedKeyUsage>().map_err(|e| e.to_string())?;
+    Ok(found.map_or(Vec::new(), |(_, usages)| usages.0.iter().map(ToString::to_string).collect()))
 }
 
 fn is_authority(certificate: &Certificate) -> bool {
@@ -302,3 +351,5 @@ static ALGORITHMS: [&dyn SignatureVerificationAlgorithm; 5] = [
     by_aws_lc!(ECDSA_P256, ECDSA_SHA256, ECDSA_P256_SHA256_ASN1),
     by_aws_lc!(ECDSA_P384, ECDSA_SHA384, ECDSA_P384_SHA384_ASN1),
 ];
+/// The digest of each of them, bits.
+const DIGEST_BITS: [usize; 5] = [256, 384, 512, 256, 384];

@@ -25,7 +25,7 @@ fn trusting(keys: &[&SigningKey]) -> TrustStore {
 }
 
 fn request<'a>(folder: &'a Path, trust: &'a TrustStore) -> Request<'a> {
-    Request { folder, trust, inputs: &[], store: None, now_ms: NOW_MS, strict: false }
+    Request { folder, trust, inputs: &[], store: None, now_ms: NOW_MS, strict: false, policy: Policy::default() }
 }
 
 /// A folder published with the shared key, in `dir/out`.
@@ -387,4 +387,20 @@ fn commands_for_openssl() {
     assert!(text.contains(&format!("{}  scene.ply", canonical::sha256_hex(&ply()))));
     fs::remove_file(out.join(RECORD)).unwrap();
     assert_eq!(crate::audit::by_hand::openssl_commands(&out).unwrap_err().kind, Kind::Incomplete);
+}
+
+#[test]
+fn a_verifier_may_ask_for_more() {
+    let (_dir, out) = published();
+    let trust = trusting(&[shared_key()]);
+    let with = |policy| verify(&Request { policy, ..request(&out, &trust) }).unwrap();
+    let weights = canonical::sha256_hex(b"w");
+    let (listed, other) = ([weights.clone()], [canonical::sha256_hex(b"other")]);
+    let strict = Policy { require_time_sync: true, models: Some(&listed) };
+    assert_eq!((with(strict).exit_code, codes(&with(strict))), (0, vec![]));
+    let refused = with(Policy { models: Some(&other), ..strict });
+    assert_eq!((refused.exit_code, codes(&refused)), (4, vec!["MODEL_NOT_ALLOWED"]));
+    forge(&out, shared_key(), |v| v["predicate"]["time"]["sync_status"] = json!("unsynchronised"));
+    assert_eq!(check(&out).exit_code, 0);
+    assert_eq!((with(strict).exit_code, codes(&with(strict))), (4, vec!["TIME_UNSYNCED"]));
 }

@@ -8,7 +8,7 @@ use super::Outcome;
 use crate::audit::disk::Disk;
 use crate::audit::keys::{self, KeySource};
 use crate::audit::ledger_check::{self, LedgerRequest};
-use crate::audit::{DataFolder, Ledger, Marking, SigningKey, TrustStore, archive, time};
+use crate::audit::{DataFolder, Ledger, Marking, Policy, SigningKey, TrustStore, archive, time};
 use crate::cli::key::KeyArgs;
 use crate::{Error, Result};
 
@@ -43,6 +43,15 @@ pub struct VerifyArgs {
     /// Trust this public key (PEM) for this run, beside those of the user's trust store
     #[arg(long, value_name = "FILE")]
     pub trust_key: Vec<PathBuf>,
+    /// Refuse unless the trust store, with the keys of --trust-key, has this digest: the one that verifications print
+    #[arg(long, value_name = "SHA256")]
+    pub trust_store: Option<String>,
+    /// Refuse records whose clock was not known to agree with UTC (exit 4)
+    #[arg(long)]
+    pub require_time_sync: bool,
+    /// Refuse records made with other network weights than this file lists, a SHA-256 a line (exit 4)
+    #[arg(long, value_name = "FILE")]
+    pub models: Option<PathBuf>,
     /// Let warnings fail the verification
     #[arg(long)]
     pub strict: bool,
@@ -92,13 +101,15 @@ pub fn run(args: &LedgerArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
+    let models = args.models.as_deref().map(super::weights_list).transpose()?;
     let report = ledger_check::verify_ledger(&LedgerRequest {
         ledger: &ledger_path(args.ledger.as_deref(), data),
-        trust: &TrustStore::load(data, &args.trust_key)?,
+        trust: &TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?,
         checkpoints: &args.checkpoint,
         require_anchor: args.require_anchor,
         now_ms: time::now()?.unix_ms,
         strict: args.strict,
+        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref() },
     })?;
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     Ok(Outcome { text, exit_code: report.exit_code })

@@ -3,13 +3,13 @@
 mod export;
 mod ledger;
 mod report;
+mod timestamp;
 mod trust;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
-use crate::audit::by_hand;
 use crate::audit::events;
 use crate::audit::keys::{self, Bits, Passphrase};
 use crate::audit::report::Verdict;
@@ -17,7 +17,8 @@ use crate::audit::sbom;
 use crate::audit::statement::Outcome::{Failure, Success};
 use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
-use crate::audit::{DataFolder, TrustStore, time};
+use crate::audit::{DataFolder, Policy, TrustStore, time};
+use crate::audit::{by_hand, disk};
 use crate::cli::key::PassphraseSource;
 use crate::{Error, Result};
 
@@ -37,6 +38,8 @@ pub enum AuditVerb {
     Keygen(KeygenArgs),
     /// Say whose signatures count: trust add, list, revoke
     Key(trust::KeyVerbArgs),
+    /// Ask an authority for a time stamp of a record, by files, and import its answer
+    Timestamp(timestamp::TimestampArgs),
     /// Verify, checkpoint, archive and reconcile the ledger of all records
     Ledger(ledger::LedgerArgs),
     /// Write what a verification found, for a compliance officer
@@ -64,6 +67,15 @@ pub struct VerifyArgs {
     /// Trust this public key (PEM) for this run, beside those of the user's trust store
     #[arg(long, value_name = "FILE")]
     pub trust_key: Vec<PathBuf>,
+    /// Refuse unless the trust store, with the keys of --trust-key, has this digest: the one that verifications print
+    #[arg(long, value_name = "SHA256")]
+    pub trust_store: Option<String>,
+    /// Refuse records whose clock was not known to agree with UTC (exit 4)
+    #[arg(long)]
+    pub require_time_sync: bool,
+    /// Refuse records made with other network weights than this file lists, a SHA-256 a line (exit 4)
+    #[arg(long, value_name = "FILE")]
+    pub models: Option<PathBuf>,
     /// Let warnings, such as unlisted files, fail the verification
     #[arg(long)]
     pub strict: bool,
@@ -124,6 +136,7 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
         AuditVerb::Show(args) => show(args, data),
         AuditVerb::Keygen(args) => keygen(args, data),
         AuditVerb::Key(args) => trust::run(args, data),
+        AuditVerb::Timestamp(args) => timestamp::run(args, data),
         AuditVerb::Report(args) => report::run(args, data),
         AuditVerb::Export(args) => export::run(args, data),
         AuditVerb::Events(args) => list_events(args, data),
@@ -137,7 +150,8 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
     if args.print_openssl {
         return Ok(Outcome { text: by_hand::openssl_commands(&args.folder)?, exit_code: 0 });
     }
-    let trust = TrustStore::load(data, &args.trust_key)?;
+    let trust = TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?;
+    let models = args.models.as_deref().map(weights_list).transpose()?;
     let report = verify::verify(&Request {
         folder: &args.folder,
         trust: &trust,
@@ -145,6 +159,7 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         store: args.store.as_deref(),
         now_ms: time::now()?.unix_ms,
         strict: args.strict,
+        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref() },
     })?;
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     let (outcome, code) = match report.exit_code {
@@ -172,6 +187,7 @@ pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
         store: None,
         now_ms: time::now()?.unix_ms,
         strict: false,
+        policy: Policy::default(),
     })?;
     let unserialisable = |e: serde_json::Error| Error::integrity("record").found(e.to_string());
     let text = if args.json {
@@ -204,6 +220,16 @@ pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
         text.push_str(&format!("\n{}:\n{}", ledger.display(), events::list(&ledger)?));
     }
     Ok(Outcome { text, exit_code: 0 })
+}
+
+/// The first word of each line, as `sha256sum` writes them.
+fn weights_list(path: &Path) -> Result<Vec<String>> {
+    let bytes = disk::read_limited(path, 1 << 20)?;
+    let words = String::from_utf8_lossy(&bytes)
+        .lines()
+        .filter_map(|l| l.split_whitespace().next().map(str::to_owned))
+        .collect();
+    Ok(words)
 }
 
 pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {

@@ -10,7 +10,7 @@ use crate::audit::disk::Disk;
 use crate::audit::evidence::{Evidence, to_html, to_markdown};
 use crate::audit::ledger_check::{LedgerRequest, verify_ledger};
 use crate::audit::verify::{Request, read_record, verify};
-use crate::audit::{DataFolder, Ledger, TrustStore, time};
+use crate::audit::{DataFolder, Ledger, Policy, TrustStore, time};
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -55,7 +55,15 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
     let trust = &TrustStore::load(data, &args.trust_key)?;
     let (report, records) = match &args.folder {
         Some(folder) => {
-            let request = Request { folder, trust, inputs: &args.input, store: None, now_ms: as_of_ms, strict: false };
+            let request = Request {
+                folder,
+                trust,
+                inputs: &args.input,
+                store: None,
+                now_ms: as_of_ms,
+                strict: false,
+                policy: Policy::default(),
+            };
             (verify(&request)?, vec![read_record(folder)?.1])
         }
         None => {
@@ -67,6 +75,7 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
                 require_anchor: false,
                 now_ms: as_of_ms,
                 strict: false,
+                policy: Policy::default(),
             };
             // A chain that is broken has no facts to show beside its findings.
             (verify_ledger(&request)?, Ledger::at(ledger).read_chain().unwrap_or_default())
