@@ -248,4 +248,51 @@ mod tests {
             assert!(matches!(check(&token, b"record", &trust), Err(Refused::Invalid(_))));
         }
     }
+    #[test]
+    fn beside_a_record() {
+        use crate::audit::keys::tests::shared_key;
+        use crate::audit::publication::tests::publish;
+        use crate::audit::publication::{RECORD, RECORD_STAMP};
+        use crate::audit::verify::{Request, verify};
+        use crate::audit::{Policy, by_hand};
+        let Some(pki) = Pki::new() else { return };
+        pki.sign("tsa", "issuing", "tsa", "20240101000000Z", "20340101000000Z");
+        publish(pki.dir.path());
+        let out = pki.path("out");
+        let stamp = |message: &[u8]| {
+            std::fs::write(pki.path("r.tsq"), request(message, [1; 8]).unwrap()).unwrap();
+            pki.openssl(&[
+                "ts",
+                "-reply",
+                "-config",
+                "ca.cnf",
+                "-section",
+                "t",
+                "-queryfile",
+                "r.tsq",
+                "-out",
+                "r.tsr",
+            ]);
+            std::fs::copy(pki.path("r.tsr"), out.join(RECORD_STAMP)).unwrap();
+        };
+        let check = |mut trust: TrustStore| {
+            trust.insert(shared_key().public().clone());
+            let (now_ms, policy) = (1_763_700_000_000, Policy::default());
+            let request =
+                Request { folder: &out, trust: &trust, inputs: &[], store: None, now_ms, strict: false, policy };
+            let report = verify(&request).unwrap();
+            (report.exit_code, report.findings.iter().map(|f| f.code).collect::<Vec<_>>())
+        };
+        let record = std::fs::read(out.join(RECORD)).unwrap();
+        stamp(&record);
+        let (code, found) = check(store_with(&pki, &[]));
+        assert!(code == 0 && found.contains(&"TIME_STAMPED"), "{found:?}");
+        let (code, found) = check(TrustStore::default());
+        assert!(code == 0 && found.contains(&"TIME_STAMP_UNTRUSTED"), "{found:?}");
+        let commands = by_hand::openssl_commands(&out).unwrap();
+        assert!(commands.contains("openssl ts -verify"), "{commands}");
+        stamp(b"another record");
+        let (code, found) = check(store_with(&pki, &[]));
+        assert!(code == 1 && found.contains(&"TIME_STAMP_INVALID"), "{found:?}");
+    }
 }

@@ -303,4 +303,35 @@ mod tests {
         let again = orb_audit(&data, &["keygen", "-o", new.to_str().unwrap()]).unwrap_err();
         assert_eq!(again.kind, Kind::Usage);
     }
+    #[test]
+    fn trust_list_and_revoke() {
+        let dir = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(dir.path().join("elsewhere"));
+        let published = publish(dir.path());
+        let out = published.folder.to_str().unwrap();
+        let key = published.folder.join("orb-record.pub.pem");
+        let trust = |words: &[&str]| orb_audit(&data, &[&["key", "trust"], words].concat());
+        let verified = || orb_audit(&data, &["verify", out]).unwrap();
+        assert_eq!(verified().exit_code, 3);
+        let added = trust(&["add", key.to_str().unwrap(), "--name", "Jane", "--max-marking", "CUI"]).unwrap();
+        assert!(added.text.contains(&published.signed_by), "{}", added.text);
+        assert_eq!(verified().exit_code, 0, "{}", verified().text);
+        let listed = trust(&["list"]).unwrap().text;
+        assert!(listed.contains("name       Jane") && listed.contains("up to      CUI"), "{listed}");
+        let json: serde_json::Value = serde_json::from_str(&trust(&["list", "--json"]).unwrap().text).unwrap();
+        let pinned = json["trust_store_sha256"].as_str().unwrap();
+        assert_eq!(orb_audit(&data, &["verify", out, "--trust-store", pinned]).unwrap().exit_code, 0);
+
+        // The record is of November 2025.
+        let revoke = |from: &str, reason: &str| {
+            trust(&["revoke", &published.signed_by, "--reason", reason, "--from", from]).map(|_| verified())
+        };
+        let later = revoke("2026-01-01T00:00:00.000Z", "superseded").unwrap();
+        assert!(later.exit_code == 0 && later.text.contains("KEY_REVOKED_LATER"), "{}", later.text);
+        let stolen = revoke("2026-01-01T00:00:00.000Z", "compromise").unwrap();
+        assert!(stolen.exit_code == 1 && stolen.text.contains("KEY_REVOKED"), "{}", stolen.text);
+        assert_eq!(revoke("yesterday", "ceased").unwrap_err().kind, Kind::Usage);
+        let changed = orb_audit(&data, &["verify", out, "--trust-store", pinned]).unwrap_err();
+        assert!(changed.found.contains("TRUST_STORE_CHANGED"), "{changed}");
+    }
 }
