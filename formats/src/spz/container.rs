@@ -1,9 +1,10 @@
 //! Headers, compression, the comment.
 
-use std::io::{Read, Write};
+use std::io::Read;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use flate2::bufread::GzDecoder;
-use flate2::{Compression, GzBuilder};
+use flate2::{Compress, Compression, Crc, FlushCompress, Status};
 
 use super::{FORMAT, Header, Version};
 use crate::{Error, Result};
@@ -18,6 +19,10 @@ const EXTENSIONS: u8 = 2;
 /// The extension record of the comment: vendor `OR`, number 1.
 const COMMENT: u32 = 0x4f52_0001;
 const LEVEL: i32 = 12;
+/// The flag of a gzip header that a comment follows.
+const GZIP_COMMENT: u8 = 1 << 4;
+/// What one core deflates at a time, bytes: a fixed size, so that the file does not depend on their number.
+const PIECE: usize = 1 << 20;
 /// Extensions behind the streams of a gzip file, bytes.
 const MAX_EXTENSIONS: u64 = 1 << 20;
 /// What may always be unfolded, and how many times its own size a file may unfold to beyond that.
@@ -41,20 +46,70 @@ fn head(header: &Header, flags: u8, last: u8) -> Vec<u8> {
     out
 }
 
+/// One gzip stream, its deflate blocks compressed side by side.
 fn join_gzip(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
-    // No time stamp and no name of a system: same splats, same bytes.
-    let mut gzip = GzBuilder::new().mtime(0).operating_system(255);
-    if !comment.is_empty() {
-        gzip = gzip.comment(comment);
-    }
-    let failed = |e: std::io::Error| Error::unsupported(FORMAT, e.to_string());
-    let mut out = gzip.write(Vec::new(), Compression::default());
     let flags = if header.antialiased { ANTIALIASED } else { 0 };
-    out.write_all(&head(header, flags, 0)).map_err(failed)?;
-    for stream in streams {
-        out.write_all(stream).map_err(failed)?;
+    let mut whole = head(header, flags, 0);
+    streams.iter().for_each(|s| whole.extend_from_slice(s));
+    let pieces: Vec<&[u8]> = whole.chunks(PIECE).collect();
+    // RFC 1952: no time stamp and no name of a system, so that the same splats give the same bytes.
+    let mut out = vec![GZIP[0], GZIP[1], 8, if comment.is_empty() { 0 } else { GZIP_COMMENT }, 0, 0, 0, 0, 0, 255];
+    if !comment.is_empty() {
+        out.extend(comment.bytes().chain([0]));
     }
-    out.finish().map_err(failed)
+    let last = pieces.len() - 1;
+    let deflated = side_by_side(&pieces, |i, piece| {
+        // A flush ends a piece at a whole byte, so that the next can follow (RFC 1951, §3.2.4).
+        let flush = if i == last { FlushCompress::Finish } else { FlushCompress::Sync };
+        let mut state = Compress::new(Compression::default(), false);
+        let mut bytes = Vec::with_capacity(piece.len() + piece.len() / 1000 + 64);
+        loop {
+            let done = state.total_in() as usize;
+            let status = state.compress_vec(&piece[done..], &mut bytes, flush).map_err(|e| e.to_string())?;
+            let taken = state.total_in() as usize == piece.len();
+            if status == Status::StreamEnd || (i != last && taken && bytes.len() < bytes.capacity()) {
+                return Ok(bytes);
+            }
+            bytes.reserve(bytes.len().max(64));
+        }
+    })?;
+    deflated.iter().for_each(|d| out.extend_from_slice(d));
+    let mut sum = Crc::new();
+    sum.update(&whole);
+    out.extend(sum.sum().to_le_bytes());
+    out.extend(sum.amount().to_le_bytes());
+    Ok(out)
+}
+
+/// Works on all pieces with the machine's cores; the results in order.
+fn side_by_side<T: Sync, F>(pieces: &[T], work: F) -> Result<Vec<Vec<u8>>>
+where
+    F: Fn(usize, &T) -> std::result::Result<Vec<u8>, String> + Sync,
+{
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(pieces.len()).max(1);
+    let done = std::thread::scope(|scope| {
+        let worker = || {
+            let mut own = Vec::new();
+            loop {
+                let i = next.fetch_add(1, Ordering::Relaxed);
+                let Some(piece) = pieces.get(i) else { return own };
+                own.push((i, work(i, piece)));
+            }
+        };
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(worker)).collect();
+        let mut all = worker();
+        for other in others {
+            match other.join() {
+                Ok(own) => all.extend(own),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        all
+    });
+    let mut sorted = done;
+    sorted.sort_by_key(|(i, _)| *i);
+    sorted.into_iter().map(|(_, d)| d.map_err(|e| Error::unsupported(FORMAT, e))).collect()
 }
 
 fn join_streams(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
@@ -71,8 +126,7 @@ fn join_streams(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Resul
     out.extend(((LONG + extension.len()) as u32).to_le_bytes());
     out.resize(LONG, 0);
     out.extend(extension);
-    let packed = kept.iter().map(|s| zstd::bulk::compress(s, LEVEL)).collect::<std::io::Result<Vec<_>>>();
-    let packed = packed.map_err(|e| Error::unsupported(FORMAT, format!("Zstandard: {e}")))?;
+    let packed = side_by_side(&kept, |_, s| zstd::bulk::compress(s, LEVEL).map_err(|e| format!("Zstandard: {e}")))?;
     for (stream, packed) in kept.iter().zip(&packed) {
         out.extend((packed.len() as u64).to_le_bytes());
         out.extend((stream.len() as u64).to_le_bytes());

@@ -216,3 +216,32 @@ fn broken_files_are_refused() {
     let options = Options { comment: "two\nlines".into(), ..Options::default() };
     assert!(write(&scene(1, 0), &options).is_err());
 }
+
+/// Streams of several pieces are one gzip member, and hold what version 4 holds.
+#[test]
+fn pieces_join_to_one_stream() {
+    use std::io::Read;
+    let count = 50_000;
+    let mut next = random(7);
+    let mut scene = Splats::default();
+    for _ in 0..count {
+        scene.positions.push([0; 3].map(|_| next()));
+        scene.log_scales.push([0; 3].map(|_| next() - 5.0));
+        scene.rotations.push([1.0, next(), next(), next()]);
+        scene.logit_opacities.push(next());
+        scene.sh.push([[0; 3]; 16].map(|rgb| rgb.map(|_| 0.3 * next())));
+    }
+    let of = |version| Options { version, comment: "CUI".into(), ..Options::default() };
+    let bytes = write(&scene, &of(Version::V3)).unwrap();
+    let mut whole = Vec::new();
+    let mut gzip = flate2::bufread::GzDecoder::new(bytes.as_slice());
+    gzip.read_to_end(&mut whole).unwrap();
+    assert!(whole.len() > 3 << 20, "{} bytes are several pieces", whole.len());
+    assert_eq!(gzip.header().unwrap().comment(), Some(&b"CUI"[..]));
+    assert!(gzip.into_inner().is_empty(), "nothing follows the member");
+    let (back, info) = read(&bytes, Axes::RUB).unwrap();
+    assert_eq!(info.comment, "CUI");
+    let newest = write(&scene, &of(Version::V4)).unwrap();
+    assert_eq!(back, read(&newest, Axes::RUB).unwrap().0);
+    assert_eq!(write(&scene, &of(Version::V3)).unwrap(), bytes, "whichever core took which piece");
+}
