@@ -88,10 +88,26 @@ pub struct Labels {
     pub marking: Marking,
     /// `YYYY-MM-DDTHH:MM:SS.mmmZ`.
     pub utc: String,
-    pub facc: String,
-    pub fsc: u16,
     pub heading_source: &'static str,
     pub scale_source: &'static str,
+}
+
+/// What a CDB store files a model under.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Catalogue {
+    pub kind: cdb::Kind,
+    /// Feature code and subcode.
+    pub facc: String,
+    pub fsc: u16,
+    pub material: cdb::Material,
+}
+
+impl Default for Catalogue {
+    /// A geospecific man-made object, of the material that is assumed for it.
+    fn default() -> Self {
+        let facc = "UA005";
+        Catalogue { kind: cdb::Kind::Geospecific, facc: facc.into(), fsc: 0, material: cdb::Material::assumed(facc) }
+    }
 }
 
 /// What the stages handed on, for who measures them: the subject's mask over the whole photo at working resolution, and
@@ -118,16 +134,18 @@ fn marked_png(image: &image::DynamicImage, marking: &Marking) -> Result<Vec<u8>>
 }
 
 /// The model for a CDB store; levels finest first.
-pub fn gs_model(levels: &[PlacedLevel], placement: &Placement, labels: &Labels) -> cdb::GsModel {
+pub fn cdb_model(levels: &[PlacedLevel], placement: &Placement, labels: &Labels, catalogue: &Catalogue) -> cdb::Model {
     let level = |l: &PlacedLevel| cdb::Level {
         mesh: l.mesh.clone(),
         significant_size: l.significant_size,
         texture: rgb(&l.texture),
     };
-    cdb::GsModel {
+    cdb::Model {
+        kind: catalogue.kind,
         name: labels.stem.clone(),
-        facc: labels.facc.clone(),
-        fsc: labels.fsc,
+        facc: catalogue.facc.clone(),
+        fsc: catalogue.fsc,
+        material: catalogue.material.clone(),
         latitude: placement.origin.latitude,
         longitude: placement.origin.longitude,
         height: placement.origin.height,
@@ -148,8 +166,6 @@ pub fn flt(
     placement: &Placement,
     labels: &Labels,
 ) -> Result<Vec<File>> {
-    // Pixels of error allowed on a 1080-line screen with 60° vertical field of view: distance = size · H / (2 p tan(f/2)).
-    const DISTANCE_PER_METRE: f64 = 1080.0 / (2.0 * 0.577_350_269_189_625_8);
     let stem = &labels.stem;
     let coarsest_first: Vec<&PlacedLevel> = levels.iter().rev().collect();
     let turned: Vec<orb_formats::Mesh> = coarsest_first.iter().map(|l| to_north(&l.mesh, placement.heading)).collect();
@@ -164,8 +180,7 @@ pub fn flt(
         origin: Some((placement.origin.latitude, placement.origin.longitude)),
         header_comment: Some(labels.marking.line()),
         zone_comment: None,
-        textures: Vec::new(),
-        levels: Vec::new(),
+        ..openflight::Model::default()
     };
     let count = coarsest_first.len();
     for (i, (level, mesh)) in coarsest_first.iter().zip(turned).enumerate() {
@@ -184,7 +199,7 @@ pub fn flt(
         let bytes = openflight::attributes::write(&attributes).map_err(format_error)?;
         files.push(File { path: format!("{texture}.attr"), bytes, media_type: "application/x-openflight-attributes" });
         model.textures.push(texture);
-        let distance = |size: f64| size * DISTANCE_PER_METRE;
+        let distance = openflight::switch_distance;
         let switch_in = if i == 0 { 100_000.0 } else { distance(level.significant_size) };
         let switch_out = if i + 1 == count { 0.0 } else { distance(coarsest_first[i + 1].significant_size) };
         model.levels.push(openflight::Level {

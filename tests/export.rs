@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use orb_formats::{Splats, glb, ply, spz, tiles3d, usdz};
+use orb_formats::asset::{EncodedImage, Material, Part};
+use orb_formats::{Asset, Mesh, Splats, glb, ply, spz, tiles3d, usdz};
 
 /// One data folder (key, trust, ledger) for the whole test program.
 fn data() -> &'static Path {
@@ -247,4 +248,93 @@ fn what_cannot_be_done_is_said() {
     }
     let none = orb(&["cdb", "check", text(dir.path())]);
     assert_eq!(none.status.code(), Some(2), "{}", said(&none));
+}
+
+/// A store, an incremental version of it, and what cannot be.
+#[test]
+fn a_store_gets_a_new_version() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| dir.path().join(name);
+    let model = at("mesh.glb");
+    std::fs::write(&model, glb::write(&tent()).unwrap()).unwrap();
+    let export = |name: &str, place: &str, more: &[&str]| {
+        let out = at(name);
+        let base = ["export", text(&model), "--origin", place, "--lods", "0", "--format", "cdb", "-o", text(&out)];
+        orb(&[&base[..], more].concat())
+    };
+    let passes = |out: Output| assert!(out.status.success(), "{}", said(&out));
+    passes(export("old", "-33.9,151.2,5", &["--as", "gt", "--facc", "AL015/016"]));
+    let old = at("old/mesh.cdb");
+    let before: Vec<PathBuf> = files(&old);
+    passes(export("new", "-33.901,151.2,5", &["--cdb-version-of", text(&old), "--material", "brick:70+glass:30"]));
+    let new = at("new/mesh.cdb");
+    assert_eq!(files(&old), before);
+    let version = std::fs::read_to_string(new.join("Metadata/Version.xml")).unwrap();
+    assert!(version.contains("name=\"../../old/mesh.cdb\""), "{version}");
+    succeeds(&["audit", "verify", text(&at("new"))]);
+    for store in [&old, &new] {
+        let checked = succeeds(&["cdb", "check", text(store)]);
+        assert!(!checked.contains("FAIL"), "{checked}");
+    }
+    // The house of the library is used again through the chain.
+    passes(export("third", "-33.902,151.2,5", &["--cdb-version-of", text(&new), "--as", "gt", "--facc", "AL015/016"]));
+    let third = files(&at("third/mesh.cdb"));
+    assert!(!third.iter().any(|p| p.components().any(|c| c.as_os_str() == "500_GTModelGeometry")), "{third:?}");
+    let checked = succeeds(&["cdb", "check", text(&at("third/mesh.cdb"))]);
+    assert!(!checked.contains("FAIL"), "{checked}");
+    let refused: [(&[&str], &str); 6] = [
+        (&["--as", "moving"], "--dis"),
+        (&["--dis", "1.1.225.1"], "--as moving"),
+        (&["--as", "moving", "--dis", "1.1.225"], "1.1.225.1.1.8.0"),
+        (&["--as", "moving", "--dis", "1.1.225.99"], "Moving_Model_Codes"),
+        (&["--material", "brick:70"], "--material"),
+        (&["--cdb", text(&new)], "further version"),
+    ];
+    for (more, words) in refused {
+        let done = export("refused", "-33.9,151.2,5", more);
+        assert_eq!(done.status.code(), Some(2), "{more:?}: {}", said(&done));
+        assert!(said(&done).contains(words), "{more:?}: {}", said(&done));
+        assert!(!at("refused").exists());
+    }
+}
+
+/// Two slopes, 4 × 6 m and 3 m high: few vertices, so that it is a level of its own.
+fn tent() -> Asset {
+    let corners =
+        [[-2.0, -3.0, 0.0], [2.0, -3.0, 0.0], [2.0, 3.0, 0.0], [-2.0, 3.0, 0.0], [0.0, -3.0, 3.0], [0.0, 3.0, 3.0]];
+    let mesh = Mesh {
+        positions: corners.to_vec(),
+        normals: vec![
+            [-0.6, 0.0, 0.8],
+            [0.6, 0.0, 0.8],
+            [0.6, 0.0, 0.8],
+            [-0.6, 0.0, 0.8],
+            [0.0, 0.0, 1.0],
+            [0.0, 0.0, 1.0],
+        ],
+        uvs: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0]],
+        triangles: vec![[1, 2, 5], [1, 5, 4], [3, 0, 4], [3, 4, 5]],
+    };
+    let mut png = std::io::Cursor::new(Vec::new());
+    image::RgbImage::from_pixel(8, 8, image::Rgb([90, 120, 60])).write_to(&mut png, image::ImageFormat::Png).unwrap();
+    Asset {
+        name: "tent".into(),
+        parts: vec![Part { mesh, material: Some(0) }],
+        materials: vec![Material { image: Some(0), ..Material::default() }],
+        images: vec![EncodedImage { media_type: "image/png".into(), bytes: png.into_inner() }],
+        ..Asset::default()
+    }
+}
+
+fn files(root: &Path) -> Vec<PathBuf> {
+    let mut open = vec![root.to_owned()];
+    let mut all = Vec::new();
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { open.push(path) } else { all.push(path) }
+        }
+    }
+    all.sort();
+    all
 }

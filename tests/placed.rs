@@ -56,8 +56,6 @@ fn labels() -> Labels {
         stem: "box".into(),
         marking: Marking::UNCLASSIFIED,
         utc: "2026-11-21T04:05:06.789Z".into(),
-        facc: "UA005".into(),
-        fsc: 0,
         heading_source: "given",
         scale_source: "known-length",
     }
@@ -225,7 +223,12 @@ fn store_corners() {
     let to_metres = ToMetres::new(&level.mesh, SCALE);
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let model = export::gs_model(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels());
+        let model = export::cdb_model(
+            &to_metres.levels(std::slice::from_ref(&level)),
+            &placement,
+            &labels(),
+            &export::Catalogue::default(),
+        );
         write(dir.path(), &cdb::add_model(&cdb::Empty, &model).unwrap().files);
         let (mut archives, mut shapes, mut flights) = (vec![], vec![], vec![]);
         find(dir.path(), ".zip", &mut archives);

@@ -51,6 +51,7 @@ fn model() -> Model {
         zone_comment: Some("<CDB:Zone name=\"TestWall\"/>".into()),
         textures: vec!["textures/wall.rgb".into()],
         levels: vec![level("coarse wall", 20_000.0, 350.0, 4.5, 1), level("fine wall", 350.0, 0.0, 0.2, 5)],
+        points: vec![],
     }
 }
 

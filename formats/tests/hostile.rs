@@ -130,7 +130,8 @@ fn attack(name: &str, mut seeds: Vec<Vec<u8>>, read: impl Fn(&[u8]) + std::panic
     seeds.extend(kept(name));
     let mut random = Random(0x0b5e_55ed);
     let mut tried = 0u64;
-    while until.map_or(tried < 400, |end| Instant::now() < end) {
+    let least = 400.max(2 * seeds.len() as u64);
+    while until.map_or(tried < least, |end| Instant::now() < end) {
         // First the files as they are.
         let bytes = match seeds.get(tried as usize) {
             Some(seed) => seed.clone(),
@@ -285,8 +286,23 @@ fn tileset_reader() {
 
 #[test]
 fn openflight_reader() {
-    attack("flt", vec![openflight::write(&model()).unwrap()], |bytes| {
+    let master = openflight::Master {
+        name: "Crate".into(),
+        bounds: ([-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]),
+        levels: vec![openflight::Reference {
+            switch_in: 100.0,
+            significant_size: 2.0,
+            path: "./L04/a.flt".into(),
+            ..openflight::Reference::default()
+        }],
+        ..openflight::Master::default()
+    };
+    let point = openflight::Point { comment: "<CDB:Point name=\"DIS_Origin\"/>".into(), matrix: [[1.0; 4]; 4] };
+    let pointed = Model { points: vec![point], ..model() };
+    let seeds = vec![openflight::write(&pointed).unwrap(), openflight::write_master(&master).unwrap()];
+    attack("flt", seeds, |bytes| {
         drop(openflight::read(bytes));
+        drop(openflight::read_master(bytes));
         drop(openflight::check(bytes));
     });
 }
@@ -301,7 +317,9 @@ fn sgi_reader() {
 /// Every file of a store in turn: shapes, tables, XML, archives and the models in them.
 #[test]
 fn cdb_check() {
-    let gs = cdb::GsModel {
+    let gs = cdb::Model {
+        kind: cdb::Kind::Geospecific,
+        material: cdb::Material::assumed("UA005"),
         name: "crate".into(),
         facc: "UA005".into(),
         fsc: 0,
@@ -319,8 +337,16 @@ fn cdb_check() {
         dbf_date: (2024, 1, 1),
         comment: "made by Orb".into(),
     };
+    let kinds = [
+        cdb::Kind::Geospecific,
+        cdb::Kind::Geotypical,
+        cdb::Kind::Moving(cdb::EntityType::parse("1.1.225.27.1.2.3").unwrap()),
+    ];
     let mut store = Memory::default();
-    store.write(cdb::add_model(&cdb::Empty, &gs).unwrap().files);
+    for kind in kinds {
+        let added = cdb::add_model(&store, &cdb::Model { kind, ..gs.clone() }).unwrap();
+        store.write(added.files);
+    }
     assert_eq!(cdb::check(&store).unwrap(), []);
     let paths: Vec<String> = store.files.keys().cloned().collect();
     // The first bytes choose the file, the rest is its damaged content.
@@ -331,7 +357,7 @@ fn cdb_check() {
         let mut store = store.clone();
         store.files.insert(paths[usize::from(u16::from_le_bytes([a, b])) % paths.len()].clone(), content.to_vec());
         let _ = cdb::check(&store);
-        let other = cdb::GsModel { name: "other".into(), ..gs.clone() };
+        let other = cdb::Model { name: "other".into(), kind: kinds[content.len() % 3], ..gs.clone() };
         let _ = cdb::add_model(&store, &other);
     });
 }

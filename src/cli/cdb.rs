@@ -1,7 +1,8 @@
 //! `orb cdb check`: a CDB store against the rules that can be checked without its simulator.
 
+use std::collections::BTreeSet;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 use orb_formats::cdb::{self, ListableStore, Store, Verdict};
@@ -25,7 +26,7 @@ pub enum CdbVerb {
 
 #[derive(Debug, Args)]
 pub struct CheckArgs {
-    /// The root of a store: the folder that holds Metadata and Tiles
+    /// The root of a store: the folder that holds Metadata and Tiles. The versions that it continues are read with it
     pub root: PathBuf,
     /// One JSON object on standard output
     #[arg(long)]
@@ -38,15 +39,8 @@ pub struct CheckArgs {
 /// Usage for a folder that is no store, environment for one that cannot be read.
 pub fn run(args: &CdbArgs) -> Result<Outcome> {
     let CdbVerb::Check(args) = &args.verb;
-    if !args.root.is_dir() {
-        return Err(Error::usage(args.root.display().to_string()).expected("the root folder of a CDB store"));
-    }
-    if !args.root.join("Metadata").is_dir() && !args.root.join("Tiles").is_dir() {
-        return Err(Error::usage(args.root.display().to_string())
-            .expected("a folder with Metadata or Tiles in it")
-            .found("neither"));
-    }
-    let report = cdb::report(&Folder { root: args.root.clone() }).map_err(format_error)?;
+    let chain = Chain(Folder::with_previous(&args.root)?);
+    let report = cdb::report(&chain).map_err(format_error)?;
     let broken = report.rules.iter().any(|r| matches!(r.verdict, Verdict::Fail(_)));
     let text = if args.json { json_text(&report) } else { plain_text(&report) };
     Ok(Outcome { text, exit_code: u8::from(broken) })
@@ -90,25 +84,42 @@ fn json_text(report: &cdb::Report) -> String {
 }
 
 /// A store in a folder.
-struct Folder {
-    root: PathBuf,
+pub struct Folder {
+    pub root: PathBuf,
 }
 
-impl Store for Folder {
-    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
-        match std::fs::read(self.root.join(path)) {
-            Ok(bytes) => Ok(Some(bytes)),
-            Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::IsADirectory) => Ok(None),
-            Err(e) => Err(e),
+impl Folder {
+    /// A store and the versions that it continues, newest first, at absolute roots.
+    ///
+    /// # Errors
+    /// Usage for a folder that is no store, and for a chain that is longer than the standard has it or does not end.
+    pub fn with_previous(root: &Path) -> Result<Vec<Folder>> {
+        let mut folders = vec![Folder::open(root)?];
+        while let Some(previous) = cdb::previous_version(&folders[folders.len() - 1]).map_err(format_error)? {
+            if folders.len() == cdb::MAX_VERSIONS {
+                return Err(Error::usage(root.display().to_string())
+                    .expected(format!("a chain of at most {} versions", cdb::MAX_VERSIONS))
+                    .found("a longer one"));
+            }
+            let from = &folders[folders.len() - 1].root;
+            folders.push(Folder::open(&from.join(previous.replace('\\', "/")))?);
         }
+        Ok(folders)
     }
 
-    fn exists(&self, path: &str) -> io::Result<bool> {
-        Ok(self.root.join(path).is_file())
+    fn open(root: &Path) -> Result<Folder> {
+        let name = || root.display().to_string();
+        if !root.is_dir() {
+            return Err(Error::usage(name()).expected("the root folder of a CDB store"));
+        }
+        if !root.join("Metadata").is_dir() && !root.join("Tiles").is_dir() {
+            return Err(Error::usage(name()).expected("a folder with Metadata or Tiles in it").found("neither"));
+        }
+        let root = root.canonicalize().map_err(|e| Error::io(root, &e))?;
+        Ok(Folder { root })
     }
-}
 
-impl ListableStore for Folder {
+    /// The paths of all files.
     fn list(&self) -> io::Result<Vec<String>> {
         let mut found = Vec::new();
         let mut open = vec![(self.root.clone(), String::new())];
@@ -131,10 +142,52 @@ impl ListableStore for Folder {
     }
 }
 
+impl Store for Folder {
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
+        match std::fs::read(self.root.join(path)) {
+            Ok(bytes) => Ok(Some(bytes)),
+            Err(e) if matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::IsADirectory) => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
+
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        Ok(self.root.join(path).is_file())
+    }
+}
+
+/// The versions of a store, newest first, as their readers see them: one store.
+struct Chain(Vec<Folder>);
+
+impl Chain {
+    fn versions(&self) -> cdb::Versions<'_> {
+        cdb::Versions::new(self.0.iter().map(|f| f as &dyn Store).collect())
+    }
+}
+
+impl Store for Chain {
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
+        self.versions().read(path)
+    }
+
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        self.versions().exists(path)
+    }
+}
+
+impl ListableStore for Chain {
+    fn list(&self) -> io::Result<Vec<String>> {
+        let mut all = BTreeSet::new();
+        for (i, folder) in self.0.iter().enumerate() {
+            // The Metadata of a version are its own.
+            all.extend(folder.list()?.into_iter().filter(|p| i == 0 || !p.starts_with("Metadata/")));
+        }
+        Ok(all.into_iter().collect())
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use super::*;
     use orb_formats::{Image, Mesh};
 
@@ -146,7 +199,9 @@ mod tests {
             triangles: vec![[0, 1, 2], [0, 2, 3]],
         };
         let texture = Image { width: 4, height: 4, channels: 3, pixels: vec![90; 48] };
-        let model = cdb::GsModel {
+        let model = cdb::Model {
+            kind: cdb::Kind::Geospecific,
+            material: cdb::Material::assumed("UA005"),
             name: "crate".into(),
             facc: "UA005".into(),
             fsc: 0,

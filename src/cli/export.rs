@@ -7,14 +7,14 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 
 use super::bar::Bar;
-use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::format::{self, Content, Format, WriteArgs, safe_stem};
 use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::sealed::{Evidence, SealedRun};
 use crate::audit::statement::Param;
 use crate::audit::{record, time};
-use crate::export::Labels;
 use crate::export::import::{self, Imported, SplatAxes};
+use crate::export::{Catalogue, Labels};
 use crate::geo::{Geodetic, HeadingSource, Placement, parse_point};
 use crate::progress::Progress;
 use crate::{Error, Result};
@@ -69,10 +69,6 @@ pub struct ExportArgs {
     #[arg(long)]
     pub replace: bool,
 
-    /// Add the model to this existing CDB store, in place of a new store in the published folder.
-    #[arg(long, value_name = "STORE")]
-    pub cdb: Option<PathBuf>,
-
     /// Metres in one unit of the input.
     #[arg(long, value_name = "METRES", default_value_t = 1.0, allow_negative_numbers = true)]
     pub scale: f64,
@@ -90,17 +86,8 @@ pub struct ExportArgs {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=4))]
     pub lods: u8,
 
-    /// Version of SPZ files.
-    #[arg(long, value_enum, default_value_t)]
-    pub spz_version: SpzVersion,
-
-    /// Records for the triangles of an OpenFlight file.
-    #[arg(long, value_enum, default_value_t)]
-    pub flt_geometry: FltGeometry,
-
-    /// Feature code of the model in a CDB store: five letters and digits, then the subcode.
-    #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
-    pub facc: String,
+    #[command(flatten)]
+    pub write: WriteArgs,
 
     #[command(flatten)]
     pub marking: MarkingArgs,
@@ -118,7 +105,7 @@ pub struct ExportArgs {
 /// # Errors
 /// Usage for an input or options that cannot be used; policy for a marking below the input's; environment for the disk.
 pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
-    let (facc, fsc) = feature_code(&args.facc)?;
+    let catalogue = args.write.catalogue()?;
     if !(args.scale.is_finite() && args.scale > 0.0) {
         return Err(Error::usage("--scale").expected("metres above 0").found(args.scale.to_string()));
     }
@@ -134,7 +121,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
     let mut run = SealedRun::begin(&output, args.replace, handling, &args.key, args.quiet)?;
-    let store = args.cdb.as_deref().map(OpenStore::open).transpose()?;
+    let target = args.write.target(&output, &stem)?;
     let bar = Bar::new(stop, args.quiet);
 
     bar.begin("reading", 0);
@@ -154,8 +141,6 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         stem,
         marking: product.clone(),
         utc: reading.utc(),
-        facc,
-        fsc,
         heading_source: placement.heading_source.label(),
         scale_source: "input",
     };
@@ -164,10 +149,11 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         gaussians: imported.gaussians.as_ref(),
         placement: &placement,
         labels: &labels,
-        spz: args.spz_version.into(),
-        flt_geometry: args.flt_geometry.into(),
+        catalogue: &catalogue,
+        spz: args.write.spz_version.into(),
+        flt_geometry: args.write.flt_geometry.into(),
     };
-    let model = format::publish(&args.format, &content, store, &mut run.publication)?;
+    let model = format::publish(&args.format, &content, target, &mut run.publication)?;
     let role = if imported.gaussians.is_some() { "scene" } else { "model" };
     let published = run.seal(Evidence {
         event_type: "scene.export",
@@ -175,7 +161,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         time: reading,
         inputs: vec![record::input(&name, &bytes, media_type(&bytes), role, own)],
         models: Vec::new(),
-        params: params(args, &placement, recentred),
+        params: params(args, &placement, &catalogue, recentred),
     })?;
     bar.finish();
     if !args.quiet {
@@ -229,9 +215,9 @@ fn media_type(bytes: &[u8]) -> &'static str {
     }
 }
 
-fn params(args: &ExportArgs, placement: &Placement, recentred: bool) -> BTreeMap<String, Param> {
+fn params(args: &ExportArgs, placement: &Placement, catalogue: &Catalogue, recentred: bool) -> BTreeMap<String, Param> {
     let text = |v: String| Param::Text(v);
-    BTreeMap::from([
+    let mut all = BTreeMap::from([
         ("formats".into(), text(Format::names(&args.format))),
         ("latitude".into(), text(placement.origin.latitude.to_string())),
         ("longitude".into(), text(placement.origin.longitude.to_string())),
@@ -241,6 +227,7 @@ fn params(args: &ExportArgs, placement: &Placement, recentred: bool) -> BTreeMap
         ("metres_per_unit".into(), text(args.scale.to_string())),
         ("recentred".into(), Param::Bool(recentred)),
         ("lods".into(), Param::Int(args.lods.into())),
-        ("feature_code".into(), text(args.facc.clone())),
-    ])
+    ]);
+    all.extend(args.write.params(catalogue));
+    all
 }

@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
+use clap::{Args, ValueEnum};
 use orb_formats::{File, cdb, openflight, spz};
 
+use super::cdb::Folder;
+use crate::audit::statement::Param;
 use crate::audit::{Publication, StoreLock, lock_store, merge_into_store};
-use crate::export::{self, Labels, PlacedLevel};
+use crate::export::{self, Catalogue, Labels, PlacedLevel};
 use crate::geo::Placement;
 use crate::splat::Gaussians;
 use crate::{Error, Result};
@@ -89,6 +91,117 @@ impl From<FltGeometry> for openflight::Geometry {
     }
 }
 
+/// Where a CDB store keeps the model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum StoreKind {
+    /// One of its kind, in the tiles of its place (GSModel).
+    #[default]
+    Gs,
+    /// One of the library, which any number of features may show (GTModel).
+    Gt,
+    /// One that simulations move, under its DIS entity type (MModel).
+    Moving,
+}
+
+/// How the formats are written: the same for photos and for files.
+#[derive(Args, Clone, Debug)]
+pub struct WriteArgs {
+    /// Version of SPZ files.
+    #[arg(long, value_enum, default_value_t)]
+    pub spz_version: SpzVersion,
+
+    /// Records for the triangles of an OpenFlight file.
+    #[arg(long, value_enum, default_value_t)]
+    pub flt_geometry: FltGeometry,
+
+    /// Add the model to this existing CDB store, in place of a new store in the published folder.
+    #[arg(long, value_name = "STORE")]
+    pub cdb: Option<PathBuf>,
+
+    /// Leave this CDB store as it is, and make a new version of it that adds the model: the published store names the old
+    /// one by a relative path, so the two are moved together.
+    #[arg(long, value_name = "STORE", conflicts_with = "cdb")]
+    pub cdb_version_of: Option<PathBuf>,
+
+    /// What a CDB store takes the model for. Its place becomes a feature in any case.
+    #[arg(long = "as", value_enum, default_value_t)]
+    pub kind: StoreKind,
+
+    /// DIS entity type of a moving model: kind.domain.country.category, and subcategory.specific.extra where they are not 0.
+    #[arg(long, value_name = "TYPE")]
+    pub dis: Option<String>,
+
+    /// Feature code of the model in a CDB store: two letters and three digits, then the subcode.
+    #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
+    pub facc: String,
+
+    /// What the model is made of: base materials of CDB such as metal-steel, brick:70+glass:30, or layers from the
+    /// surface inwards, paint/metal-steel. Default: assumed from the feature code.
+    #[arg(long, value_name = "MATERIAL")]
+    pub material: Option<String>,
+}
+
+impl WriteArgs {
+    /// What a store files the model under.
+    ///
+    /// # Errors
+    /// Usage for codes and materials that are none, and for an entity type beside or without `--as moving`.
+    pub fn catalogue(&self) -> Result<Catalogue> {
+        let (facc, fsc) = feature_code(&self.facc)?;
+        let wrong = |option: &str, e: orb_formats::Error| Error::usage(option).found(e.to_string());
+        let kind = match (self.kind, &self.dis) {
+            (StoreKind::Gs, None) => cdb::Kind::Geospecific,
+            (StoreKind::Gt, None) => cdb::Kind::Geotypical,
+            (StoreKind::Moving, Some(text)) => {
+                cdb::Kind::Moving(cdb::EntityType::parse(text).map_err(|e| wrong("--dis", e))?)
+            }
+            (StoreKind::Moving, None) => {
+                return Err(Error::usage("--dis")
+                    .expected("the DIS entity type of a moving model")
+                    .found("none")
+                    .advice("A car of the United States is --dis 1.1.225.27."));
+            }
+            (_, Some(text)) => {
+                return Err(Error::usage("--dis")
+                    .expected("--as moving beside it")
+                    .found(format!("`{text}` for a model that does not move")));
+            }
+        };
+        let material = match &self.material {
+            Some(text) => cdb::Material::parse(text).map_err(|e| wrong("--material", e))?,
+            None => cdb::Material::assumed(&facc),
+        };
+        Ok(Catalogue { kind, facc, fsc, material })
+    }
+
+    /// Where a CDB store is written; `output` is the folder to be published.
+    ///
+    /// # Errors
+    /// As [`lock_store`] and [`OldVersion::open`].
+    pub fn target(&self, output: &Path, stem: &str) -> Result<Target> {
+        match (&self.cdb, &self.cdb_version_of) {
+            (Some(root), _) => OpenStore::open(root).map(Target::Into),
+            (None, Some(old)) => OldVersion::open(old, &output.join(format!("{stem}.cdb"))).map(Target::VersionOf),
+            (None, None) => Ok(Target::New),
+        }
+    }
+
+    /// What the record tells of it.
+    pub fn params(&self, catalogue: &Catalogue) -> Vec<(String, Param)> {
+        let mut all = vec![
+            ("feature_code".into(), Param::Text(self.facc.clone())),
+            ("material".into(), Param::Text(catalogue.material.summary())),
+            ("material_source".into(), Param::Text(catalogue.material.name.to_lowercase())),
+        ];
+        let kind = self.kind.to_possible_value().map(|v| Param::Text(v.get_name().into()));
+        all.extend(kind.map(|k| ("store_kind".into(), k)));
+        if let cdb::Kind::Moving(entity) = &catalogue.kind {
+            all.push(("dis_entity_type".into(), Param::Text(entity.to_string())));
+        }
+        all
+    }
+}
+
 /// What there is to write.
 pub struct Content<'a> {
     /// Finest first; needed where a format has a surface.
@@ -96,6 +209,7 @@ pub struct Content<'a> {
     pub gaussians: Option<&'a Gaussians>,
     pub placement: &'a Placement,
     pub labels: &'a Labels,
+    pub catalogue: &'a Catalogue,
     pub spz: spz::Version,
     pub flt_geometry: openflight::Geometry,
 }
@@ -107,14 +221,14 @@ pub struct Content<'a> {
 pub fn publish(
     formats: &[Format],
     content: &Content,
-    mut store: Option<OpenStore>,
+    mut target: Target,
     publication: &mut Publication,
 ) -> Result<Option<String>> {
     let mut model_name = None;
     let mut once = formats.to_vec();
     once.sort_unstable();
     once.dedup();
-    let Content { levels, placement, labels, .. } = *content;
+    let Content { levels, placement, labels, catalogue, .. } = *content;
     for format in once {
         let gaussians = || {
             content.gaussians.ok_or_else(|| {
@@ -125,8 +239,8 @@ pub fn publish(
         };
         let (role, files): (&str, Vec<File>) = match format {
             Format::Cdb => {
-                let model = export::gs_model(levels, placement, labels);
-                model_name = Some(write_cdb(&model, &labels.stem, store.take(), publication)?);
+                let model = export::cdb_model(levels, placement, labels, catalogue);
+                model_name = Some(write_cdb(&model, &labels.stem, std::mem::take(&mut target), publication)?);
                 continue;
             }
             Format::Flt => ("model", export::flt(levels, content.flt_geometry, placement, labels)?),
@@ -148,6 +262,57 @@ pub fn publish(
         }
     }
     Ok(model_name)
+}
+
+/// Where a CDB store is written.
+#[derive(Default)]
+pub enum Target {
+    /// A store of its own in the published folder.
+    #[default]
+    New,
+    /// Into a store that is there.
+    Into(OpenStore),
+    /// A new version of it, in the published folder.
+    VersionOf(OldVersion),
+}
+
+/// A store with the versions that it continues, and how the new version names it.
+pub struct OldVersion {
+    /// Newest first.
+    folders: Vec<Folder>,
+    name: String,
+}
+
+impl OldVersion {
+    /// `root` is to be that of the new version.
+    ///
+    /// # Errors
+    /// Usage for a folder that is no store, and for a chain that is full already.
+    pub fn open(old: &Path, root: &Path) -> Result<OldVersion> {
+        let folders = Folder::with_previous(old)?;
+        if folders.len() >= cdb::MAX_VERSIONS {
+            return Err(Error::usage("--cdb-version-of")
+                .expected(format!("a chain of fewer than {} versions", cdb::MAX_VERSIONS))
+                .found(format!("{} versions", folders.len()))
+                .advice("Join the versions into one store first."));
+        }
+        let root = std::path::absolute(root).map_err(|e| Error::io(root, &e))?;
+        // The published folder is not there yet; the one that it comes into is, and may be a link.
+        let base = root.ancestors().nth(2).unwrap_or(&root);
+        let root = match (base.canonicalize(), root.strip_prefix(base)) {
+            (Ok(real), Ok(rest)) => real.join(rest),
+            _ => root.clone(),
+        };
+        Ok(OldVersion { name: relative(&root, &folders[0].root), folders })
+    }
+}
+
+/// A path to `to` as seen from the folder `from`, both absolute; `/` between folders.
+fn relative(from: &Path, to: &Path) -> String {
+    let (from, to): (Vec<_>, Vec<_>) = (from.components().collect(), to.components().collect());
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let down = to[shared..].iter().map(|c| c.as_os_str().to_string_lossy().into_owned());
+    std::iter::repeat_n("..".to_owned(), from.len() - shared).chain(down).collect::<Vec<_>>().join("/")
 }
 
 /// A store on disk, locked for this run.
@@ -173,32 +338,39 @@ impl cdb::Store for OpenStore {
             Err(e) => Err(e),
         }
     }
+
+    fn exists(&self, path: &str) -> std::io::Result<bool> {
+        self.root.join(path).try_exists()
+    }
 }
 
-/// Into the published folder as a store of its own, or into the store that was named. Returns the model's name there.
-fn write_cdb(
-    model: &cdb::GsModel,
-    stem: &str,
-    store: Option<OpenStore>,
-    publication: &mut Publication,
-) -> Result<String> {
-    match store {
-        None => {
-            let added = cdb::add_model(&cdb::Empty, model).map_err(export::format_error)?;
-            for folder in &added.folders {
-                publication.add_folder(&format!("{stem}.cdb/{folder}"))?;
-            }
-            for file in &added.files {
-                publication.add(&format!("{stem}.cdb/{}", file.path), &file.bytes, file.media_type, "cdb")?;
-            }
-            Ok(added.model_name)
-        }
-        Some(store) => {
+/// Into the published folder, or into the store that was named. Returns the model's name there.
+fn write_cdb(model: &cdb::Model, stem: &str, target: Target, publication: &mut Publication) -> Result<String> {
+    let added = match target {
+        Target::Into(store) => {
             let added = cdb::add_model(&store, model).map_err(export::format_error)?;
             publication.merge(merge_into_store(store.lock, &added.files, &added.folders)?)?;
-            Ok(added.model_name)
+            return Ok(added.model_name);
         }
+        Target::New => cdb::add_model(&cdb::Empty, model),
+        Target::VersionOf(old) => {
+            let chain = cdb::Versions::new(old.folders.iter().map(|f| f as &dyn cdb::Store).collect());
+            cdb::add_version(&chain, &old.name, model)
+        }
+    };
+    let added = added.map_err(export::format_error)?;
+    if added.already_present {
+        return Err(Error::usage("--cdb-version-of")
+            .expected("a model that the store does not hold yet")
+            .found(added.notes.join(" ")));
     }
+    for folder in &added.folders {
+        publication.add_folder(&format!("{stem}.cdb/{folder}"))?;
+    }
+    for file in &added.files {
+        publication.add(&format!("{stem}.cdb/{}", file.path), &file.bytes, file.media_type, "cdb")?;
+    }
+    Ok(added.model_name)
 }
 
 /// `AL015`, `AL015/004`: two capital letters, three digits, a subcode from 0 to 999.
@@ -242,6 +414,14 @@ mod tests {
         ] {
             assert_eq!(safe_stem(Path::new(path)), stem);
         }
+    }
+
+    #[test]
+    fn old_versions_are_named_from_the_new_root() {
+        let relative = |from: &str, to: &str| super::relative(Path::new(from), Path::new(to));
+        assert_eq!(relative("/a/out/van.cdb", "/a/old/store.cdb"), "../../old/store.cdb");
+        assert_eq!(relative("/a/b", "/c"), "../../c");
+        assert_eq!(relative("/a/b/c", "/a"), "../..");
     }
 
     #[test]

@@ -18,7 +18,7 @@ use clap::{Args, ValueEnum};
 use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
-use super::format::{self, Content, FltGeometry, Format, OpenStore, SpzVersion, feature_code, safe_stem};
+use super::format::{self, Content, Format, WriteArgs, safe_stem};
 use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
 use super::networks::{self, NetworkArgs};
@@ -26,7 +26,7 @@ use super::sealed::{Evidence, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{DataFolder, record, time};
-use crate::export::{self, Labels};
+use crate::export::{self, Catalogue, Labels};
 use crate::geo::magnetic;
 use crate::models::{Engine, Rten, prior};
 use crate::photo;
@@ -100,23 +100,14 @@ pub struct GeoArgs {
     #[arg(long)]
     pub replace: bool,
 
-    /// Add the model to this existing CDB store, in place of a new store in the published folder.
-    #[arg(long, value_name = "STORE")]
-    pub cdb: Option<PathBuf>,
-
     #[command(flatten)]
     pub marking: MarkingArgs,
 
     #[command(flatten)]
     pub key: KeyArgs,
 
-    /// Version of SPZ files.
-    #[arg(long, value_enum, default_value_t)]
-    pub spz_version: SpzVersion,
-
-    /// Records for the triangles of an OpenFlight file.
-    #[arg(long, value_enum, default_value_t)]
-    pub flt_geometry: FltGeometry,
+    #[command(flatten)]
+    pub write: WriteArgs,
 
     #[arg(long, value_enum, default_value = "standard")]
     pub quality: Quality,
@@ -151,10 +142,6 @@ pub struct GeoArgs {
     /// Also publish what the stages handed on: mask.png and network.ply, the Gaussians before the optimisation.
     #[arg(long)]
     pub stages: bool,
-
-    /// Feature code of the model in the store: five letters and digits, then the subcode.
-    #[arg(long, value_name = "FACC[/FSC]", default_value = "UA005/000")]
-    pub facc: String,
 
     #[command(flatten)]
     pub networks: NetworkArgs,
@@ -210,8 +197,7 @@ pub(super) fn steps(quality: Quality, threads: usize, gpu: bool) -> u32 {
 /// Arguments that need no photo to be judged.
 struct Plan {
     wanted: options::Wanted,
-    facc: String,
-    fsc: u16,
+    catalogue: Catalogue,
     photo: PathBuf,
     stem: String,
     output: PathBuf,
@@ -219,10 +205,10 @@ struct Plan {
 
 fn plan(args: &GeoArgs) -> Result<Plan> {
     let photo = args.photo.clone().ok_or_else(|| Error::usage("photo").expected("a file").found("none"))?;
-    let (facc, fsc) = feature_code(&args.facc)?;
+    let catalogue = args.write.catalogue()?;
     let stem = args.stem.clone().unwrap_or_else(|| safe_stem(&photo));
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    Ok(Plan { wanted: options::wanted(&args.place, &args.size)?, facc, fsc, photo, stem, output })
+    Ok(Plan { wanted: options::wanted(&args.place, &args.size)?, catalogue, photo, stem, output })
 }
 
 fn texture_size(text: &str) -> std::result::Result<u32, String> {
@@ -270,10 +256,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let product = handling.marking.clone();
 
     let mut run = SealedRun::begin(&plan.output, args.replace, handling, &args.key, args.quiet)?;
-    let store = match &args.cdb {
-        Some(root) => Some(OpenStore::open(root)?),
-        None => None,
-    };
+    let target = args.write.target(&plan.output, &plan.stem)?;
 
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut say = |line: &str| {
@@ -311,8 +294,6 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         stem: plan.stem.clone(),
         marking: product.clone(),
         utc: reading.utc(),
-        facc: plan.facc.clone(),
-        fsc: plan.fsc,
         heading_source: placement.heading_source.label(),
         scale_source: scale.source.label(),
     };
@@ -331,13 +312,14 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         gaussians: Some(&gaussians),
         placement,
         labels: &labels,
-        spz: args.spz_version.into(),
-        flt_geometry: args.flt_geometry.into(),
+        catalogue: &plan.catalogue,
+        spz: args.write.spz_version.into(),
+        flt_geometry: args.write.flt_geometry.into(),
     };
     // The sidecars write the scene's place into the KMZ; the PLY is there.
     let formats: Vec<Format> =
         args.format.iter().copied().filter(|f| !matches!(f, Format::Kmz | Format::Ply)).collect();
-    let store_model = format::publish(&formats, &content, store, &mut run.publication)?;
+    let store_model = format::publish(&formats, &content, target, &mut run.publication)?;
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, &product)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
@@ -355,7 +337,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         ]
         .concat(),
         models: models(&done.sources, &done.report.device),
-        params: params(args, &settings, &done, &placed, line),
+        params: params(args, &settings, &done, &placed, &plan.catalogue, line),
     })?;
     bar.finish();
 
@@ -424,6 +406,7 @@ fn params(
     settings: &Settings,
     done: &Reconstruction,
     placed: &place::Placed,
+    catalogue: &Catalogue,
     line: Option<&str>,
 ) -> BTreeMap<String, Param> {
     let text = |v: String| Param::Text(v);
@@ -436,8 +419,8 @@ fn params(
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
         ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),
         ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
-        ("feature_code".into(), text(args.facc.clone())),
     ]);
+    all.extend(args.write.params(catalogue));
     all.extend(placed.params(line));
     let sources = &done.sources;
     let mut add = |name: &str, value: Option<Param>| {

@@ -227,8 +227,6 @@ mod tests {
             stem: "s".into(),
             marking: Marking::CUI,
             utc: "2026-11-21T04:05:06.789Z".into(),
-            facc: "UA005".into(),
-            fsc: 0,
             heading_source: "given",
             scale_source: "given",
         }

@@ -7,11 +7,10 @@
 use std::collections::BTreeMap;
 
 use super::archive::{self, Archive};
-use super::descriptor::{self, TextureEntry};
+use super::descriptor::{self, Identification, TextureEntry};
 use super::geocell::Tile;
 use super::lod;
-use super::material;
-use super::model::{GsModel, Prepared};
+use super::model::{Kind, Model, Prepared};
 use super::names::{self, Dataset, GS_MODEL_DESCRIPTOR, GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE};
 use super::store::{self, Store};
 use super::xml;
@@ -27,7 +26,7 @@ const COARSEST_SIDE: u32 = 128;
 /// The smallest side that a texture beside its geometry is cut to when the archive is nearly full.
 const SMALLEST_SIDE: u32 = 32;
 /// A switch-in distance beyond any view: CDB clients switch by significant size.
-const FAR: f64 = 1e7;
+pub const FAR: f64 = 1e7;
 
 /// The key of an archive.
 pub type Place = (u16, Tile);
@@ -58,7 +57,7 @@ impl Archives {
     ///
     /// # Errors
     /// When one of them cannot be read or kept.
-    pub fn read(store: &dyn Store, model: &GsModel, prepared: &Prepared) -> Result<Archives> {
+    pub fn read(store: &dyn Store, model: &Model, prepared: &Prepared) -> Result<Archives> {
         let mut map = BTreeMap::new();
         for level in &prepared.levels {
             for dataset in [GS_MODEL_GEOMETRY, GS_MODEL_DESCRIPTOR, GS_MODEL_TEXTURE] {
@@ -116,7 +115,7 @@ impl Entries {
     ///
     /// # Errors
     /// When a level has too many vertices for its LOD, or its texture fits no archive.
-    pub fn build(model: &GsModel, prepared: &Prepared, archives: &Archives, name: &str) -> Result<Entries> {
+    pub fn build(model: &Model, prepared: &Prepared, archives: &Archives, name: &str) -> Result<Entries> {
         let mut entries = Entries { map: BTreeMap::new(), notes: Vec::new() };
         for (i, level) in prepared.levels.iter().enumerate() {
             for (lod, mip) in level.texture.filed() {
@@ -138,8 +137,8 @@ impl Entries {
                 },
                 TextureEntry { name: names::tile_texture_name(name, i), mipmap: (power, power), resolution },
             ];
-            let base = material::assumed(&model.facc);
-            let text = descriptor::write(name, &model.facc, model.fsc, &textures, base, &model.marking);
+            let feature = Identification::Feature { facc: model.facc.clone(), fsc: model.fsc };
+            let text = descriptor::write(name, &feature, (301, &textures), &model.material, &model.marking);
             let code = names::feature_code(&model.facc, model.fsc);
             let file = entry_name(level.tile, GS_MODEL_DESCRIPTOR, &code, name, "xml");
             entries.push((GS_MODEL_DESCRIPTOR.code, level.tile), file, text.into_bytes());
@@ -154,7 +153,7 @@ impl Entries {
     /// Files a level's texture beside its geometry, as large as the archive takes, and returns the side it was cut to.
     fn push_tile_texture(
         &mut self,
-        model: &GsModel,
+        model: &Model,
         prepared: &Prepared,
         archives: &Archives,
         name: &str,
@@ -190,40 +189,17 @@ impl Entries {
         }
     }
 
-    fn push_geometry(&mut self, model: &GsModel, prepared: &Prepared, name: &str, i: usize) -> Result<()> {
-        let (level, mesh) = (&prepared.levels[i], &model.levels[i].mesh);
+    fn push_geometry(&mut self, model: &Model, prepared: &Prepared, name: &str, i: usize) -> Result<()> {
+        let level = &prepared.levels[i];
         let texture = texture_entry_name(level.tile, &names::tile_texture_name(name, i));
-        let bytes = openflight::write(&openflight::Model {
-            name: name.into(),
-            date: model.date.clone(),
-            origin: Some((model.latitude, model.longitude)),
-            header_comment: Some(marking_element(&model.marking, &model.comment)),
-            zone_comment: Some(format!("<CDB:Zone name=\"{name}\"><Material>1</Material></CDB:Zone>")),
-            // From 300_GSModelGeometry/L07/U70 up to the geocell: three levels.
-            textures: vec![format!(
-                "../../../{}/{}/U{}/{texture}",
-                GS_MODEL_TEXTURE.name,
-                names::lod_folder(level.placed.lod),
-                level.tile.up
-            )],
-            levels: vec![openflight::Level {
-                name: format!("{name}_{}", names::lod_name(level.placed.lod)),
-                switch_in: FAR,
-                switch_out: 0.0,
-                transition: 0.0,
-                significant_size: level.placed.significant_size,
-                center: [0.0, 0.0, prepared.size.height / 2.0],
-                texture: Some(0),
-                mesh: mesh.clone(),
-            }],
-        })?;
-        let (found, limit) = (vertex_records(&bytes), lod::max_vertices(i));
-        if found > limit {
-            return Err(Error::Unsupported {
-                format: "CDB model",
-                what: format!("level {i} has {found} vertices, LOD {} takes {limit}; simplify it", level.placed.lod),
-            });
-        }
+        // From 300_GSModelGeometry/L07/U70 up to the geocell: three levels.
+        let texture = format!(
+            "../../../{}/{}/U{}/{texture}",
+            GS_MODEL_TEXTURE.name,
+            names::lod_folder(level.placed.lod),
+            level.tile.up
+        );
+        let bytes = level_file(model, prepared, name, i, texture)?;
         if bytes.len() > GEOMETRY_ADVICE {
             self.notes.push(format!(
                 "The geometry of LOD {} takes {} bytes, more than the {GEOMETRY_ADVICE} that the standard advises.",
@@ -236,6 +212,61 @@ impl Entries {
         self.push((GS_MODEL_GEOMETRY.code, level.tile), file, bytes);
         Ok(())
     }
+}
+
+/// A level in an OpenFlight file of its own, its one texture at `texture`.
+///
+/// # Errors
+/// What the writer refuses, and more vertices than the level may have.
+pub fn level_file(model: &Model, prepared: &Prepared, name: &str, i: usize, texture: String) -> Result<Vec<u8>> {
+    let whole = openflight::Level { switch_in: FAR, texture: Some(0), ..level(model, prepared, name, i) };
+    let bytes = openflight::write(&openflight::Model {
+        // A geotypical model stands at many places, so it has none of its own.
+        origin: (model.kind == Kind::Geospecific).then_some((model.latitude, model.longitude)),
+        textures: vec![texture],
+        levels: vec![whole],
+        ..frame(model, name)
+    })?;
+    check_vertices(vertex_records(&bytes), &prepared.levels[i].placed, i)?;
+    Ok(bytes)
+}
+
+/// The file around the levels: names, date, marking and zone.
+pub fn frame(model: &Model, name: &str) -> openflight::Model {
+    openflight::Model {
+        name: name.into(),
+        date: model.date.clone(),
+        header_comment: Some(marking_element(&model.marking, &model.comment)),
+        zone_comment: Some(format!("<CDB:Zone name=\"{name}\"><Material>1</Material></CDB:Zone>")),
+        ..openflight::Model::default()
+    }
+}
+
+/// A level as it is placed, still without texture and distances.
+pub fn level(model: &Model, prepared: &Prepared, name: &str, i: usize) -> openflight::Level {
+    let placed = &prepared.levels[i].placed;
+    openflight::Level {
+        name: format!("{name}_{}", names::lod_name(placed.lod)),
+        switch_in: 0.0,
+        switch_out: 0.0,
+        transition: 0.0,
+        significant_size: placed.significant_size,
+        center: [0.0, 0.0, prepared.size.height / 2.0],
+        texture: None,
+        mesh: model.levels[i].mesh.clone(),
+    }
+}
+
+/// Whether a level has no more vertices than Table 6-25 allows it.
+pub fn check_vertices(found: usize, placed: &lod::Placed, i: usize) -> Result<()> {
+    let limit = lod::max_vertices(i);
+    if found <= limit {
+        return Ok(());
+    }
+    Err(Error::Unsupported {
+        format: "CDB model",
+        what: format!("level {i} has {found} vertices, LOD {} takes {limit}; simplify it", placed.lod),
+    })
 }
 
 /// Vertices of an OpenFlight file: records of the vertex palette (68–71) and of local vertex pools (85).
@@ -266,7 +297,7 @@ fn marking_element(marking: &str, text: &str) -> String {
 }
 
 /// The marking as the name of an SGI image: printable ASCII, at most 79 bytes.
-fn image_name(marking: &str) -> String {
+pub fn image_name(marking: &str) -> String {
     marking.chars().map(|c| if (' '..='~').contains(&c) { c } else { '?' }).take(79).collect()
 }
 

@@ -1,25 +1,21 @@
-//! The man-made point features of one tile: dataset 100, S001_T001 with its class table S001_T002.
+//! The point features of one tile and [`Layer`]: points with instance attributes, and the table of their classes.
 //!
 //! Source: OGC CDB 1.x Volume 1, "Tiled vector datasets" (Requirements 64, 107).
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::attributes::{ATTRIBUTES, Attribute};
+use super::attributes::{Attribute, Layer};
 use super::dbf::{Table, Value};
 use super::geocell::Tile;
-use super::names::{self, GS_FEATURE};
+use super::names;
 use super::shapefile::{self, PointZ};
 use super::store::{self, Store};
 use crate::{Error, File, Result};
 
-/// Component selectors: points with instance attributes, class attributes, extended attributes.
-pub const POINTS: (u16, u16) = (1, 1);
-pub const CLASSES: (u16, u16) = (1, 2);
-pub const EXTENDED: (u16, u16) = (1, 16);
-
 /// The features of a tile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FeatureTile {
+    layer: &'static Layer,
     pub points: Vec<Option<PointZ>>,
     /// One record a point.
     pub instances: Table,
@@ -32,23 +28,29 @@ pub struct FeatureTile {
 
 impl FeatureTile {
     /// A tile without features.
-    pub fn new(date: (u16, u8, u8)) -> FeatureTile {
+    pub fn new(layer: &'static Layer, date: (u16, u8, u8)) -> FeatureTile {
         let table = |wanted: fn(&Attribute) -> bool| {
-            Table::new(ATTRIBUTES.iter().filter(|a| wanted(a)).map(Attribute::column).collect(), date)
+            Table::new(layer.attributes.iter().filter(|a| wanted(a)).map(Attribute::column).collect(), date)
         };
         let (instances, classes) = (table(|a| a.instance), table(|a| a.class));
-        FeatureTile { points: Vec::new(), instances, classes, class_records: BTreeMap::new(), companions: Vec::new() }
+        let (points, companions) = (Vec::new(), Vec::new());
+        FeatureTile { layer, points, instances, classes, class_records: BTreeMap::new(), companions }
     }
 
     /// Reads the features of a tile; `None` when it has no shapefile.
     ///
     /// # Errors
     /// What stands in the way of keeping the features: unreadable or inconsistent files.
-    pub fn read(store: &dyn Store, tile: Tile, date: (u16, u8, u8)) -> Result<Option<FeatureTile>> {
-        let path = names::path(tile, GS_FEATURE, POINTS, "shp");
+    pub fn read(
+        store: &dyn Store,
+        layer: &'static Layer,
+        tile: Tile,
+        date: (u16, u8, u8),
+    ) -> Result<Option<FeatureTile>> {
+        let path = names::path(tile, layer.dataset, layer.points(), "shp");
         let Some(shp) = store::read(store, &path)? else { return Ok(None) };
         let points = shapefile::read(&shp).map_err(|e| store::unreadable(&path, &e))?;
-        let path = names::path(tile, GS_FEATURE, POINTS, "dbf");
+        let path = names::path(tile, layer.dataset, layer.points(), "dbf");
         let Some(instances) = read_table(store, &path)? else {
             return Err(store::unreadable(&path, &"the table of the shapefile is missing"));
         };
@@ -56,10 +58,10 @@ impl FeatureTile {
             let what = format!("{} records for {} points", instances.len(), points.len());
             return Err(store::unreadable(&path, &what));
         }
-        let classes = read_table(store, &names::path(tile, GS_FEATURE, CLASSES, "dbf"))?;
-        let classes = classes.unwrap_or_else(|| FeatureTile::new(date).classes);
+        let classes = read_table(store, &names::path(tile, layer.dataset, layer.classes(), "dbf"))?;
+        let classes = classes.unwrap_or_else(|| FeatureTile::new(layer, date).classes);
         let class_records = index(&classes);
-        Ok(Some(FeatureTile { points, instances, classes, class_records, companions: Vec::new() }))
+        Ok(Some(FeatureTile { layer, points, instances, classes, class_records, companions: Vec::new() }))
     }
 
     /// The features that lie in a tile one level finer, as that tile must repeat them when it comes into being.
@@ -69,7 +71,9 @@ impl FeatureTile {
     /// # Errors
     /// When a file beside the tables cannot be read.
     pub fn inherited(&self, store: &dyn Store, tile: Tile, finer: Tile) -> Result<FeatureTile> {
+        let layer = self.layer;
         let mut out = FeatureTile {
+            layer,
             points: Vec::new(),
             instances: self.instances.emptied(),
             classes: self.classes.emptied(),
@@ -90,11 +94,11 @@ impl FeatureTile {
         }
         out.class_records = index(&out.classes);
         if out.companions.is_empty() && !out.points.is_empty() {
-            let mut wanted = vec![(EXTENDED, "dbf"), (EXTENDED, "dbt")];
-            wanted.extend(self.instances.has_memo().then_some((POINTS, "dbt")));
-            wanted.extend(self.classes.has_memo().then_some((CLASSES, "dbt")));
+            let mut wanted = vec![(layer.extended(), "dbf"), (layer.extended(), "dbt")];
+            wanted.extend(self.instances.has_memo().then_some((layer.points(), "dbt")));
+            wanted.extend(self.classes.has_memo().then_some((layer.classes(), "dbt")));
             for (selector, extension) in wanted {
-                let bytes = store::read(store, &names::path(tile, GS_FEATURE, selector, extension))?;
+                let bytes = store::read(store, &names::path(tile, layer.dataset, selector, extension))?;
                 out.companions.extend(bytes.map(|b| (selector, extension, b)));
             }
         }
@@ -106,7 +110,7 @@ impl FeatureTile {
     /// # Errors
     /// When a table has a column that cannot hold its value.
     pub fn add(&mut self, point: PointZ, value: &dyn Fn(&str) -> Value, date: (u16, u8, u8)) -> Result<()> {
-        for a in ATTRIBUTES.iter().filter(|a| a.needed) {
+        for a in self.layer.attributes.iter().filter(|a| a.needed) {
             if self.instances.column(a.name).is_none() && (a.name == "CNAM" || self.classes.column(a.name).is_none()) {
                 insert(&mut self.instances, a)?;
             }
@@ -117,10 +121,12 @@ impl FeatureTile {
         }
         self.points.push(Some(point));
         let record = self.instances.push();
-        fill(&mut self.instances, record, value)?;
-        let class = self.classes.push();
-        fill(&mut self.classes, class, value)?;
-        self.class_records.extend(self.classes.text(class, "CNAM").map(|name| (name, class)));
+        fill(&mut self.instances, record, self.layer, value)?;
+        if self.class_of(record).is_none() {
+            let class = self.classes.push();
+            fill(&mut self.classes, class, self.layer, value)?;
+            self.class_records.extend(self.classes.text(class, "CNAM").map(|name| (name, class)));
+        }
         self.instances.set_date(date);
         self.classes.set_date(date);
         Ok(())
@@ -144,10 +150,17 @@ impl FeatureTile {
     pub fn uses(&self, model_name: &str, class_name: &str) -> bool {
         [&self.instances, &self.classes].into_iter().any(|t| {
             (0..t.len()).any(|r| {
-                t.text(r, "MODL").is_some_and(|m| m.eq_ignore_ascii_case(model_name))
+                t.text(r, self.layer.model_name()).is_some_and(|m| m.eq_ignore_ascii_case(model_name))
                     || t.text(r, "CNAM").is_some_and(|c| c.eq_ignore_ascii_case(class_name))
             })
         })
+    }
+
+    /// The records of a model, whatever the case of its letters.
+    pub fn rows_of<'a>(&'a self, model_name: &'a str) -> impl Iterator<Item = usize> {
+        let column = self.layer.model_name();
+        (0..self.points.len())
+            .filter(move |&r| self.text(r, column).is_some_and(|m| m.eq_ignore_ascii_case(model_name)))
     }
 
     /// The tile's files.
@@ -155,17 +168,18 @@ impl FeatureTile {
     /// # Errors
     /// When a table has grown past its format.
     pub fn files(&self, tile: Tile) -> Result<Vec<File>> {
+        let layer = self.layer;
         let file = |selector, extension, bytes, media_type| File {
-            path: names::path(tile, GS_FEATURE, selector, extension),
+            path: names::path(tile, layer.dataset, selector, extension),
             bytes,
             media_type,
         };
         let (shp, shx) = shapefile::write(&self.points);
         let mut files = vec![
-            file(POINTS, "shp", shp, "application/vnd.shp"),
-            file(POINTS, "shx", shx, "application/vnd.shx"),
-            file(POINTS, "dbf", self.instances.write()?, "application/vnd.dbf"),
-            file(CLASSES, "dbf", self.classes.write()?, "application/vnd.dbf"),
+            file(layer.points(), "shp", shp, "application/vnd.shp"),
+            file(layer.points(), "shx", shx, "application/vnd.shx"),
+            file(layer.points(), "dbf", self.instances.write()?, "application/vnd.dbf"),
+            file(layer.classes(), "dbf", self.classes.write()?, "application/vnd.dbf"),
         ];
         for (selector, extension, bytes) in &self.companions {
             files.push(file(*selector, extension, bytes.clone(), "application/vnd.dbf"));
@@ -190,8 +204,8 @@ fn insert(table: &mut Table, attribute: &Attribute) -> Result<()> {
     table.insert_column(index, attribute.column(), attribute.older().as_ref())
 }
 
-fn fill(table: &mut Table, record: usize, value: &dyn Fn(&str) -> Value) -> Result<()> {
-    for a in &ATTRIBUTES {
+fn fill(table: &mut Table, record: usize, layer: &Layer, value: &dyn Fn(&str) -> Value) -> Result<()> {
+    for a in layer.attributes {
         if let Some(column) = table.column(a.name) {
             table.set(record, column, &value(a.name)).map_err(|e| Error::Unsupported {
                 format: "CDB features",

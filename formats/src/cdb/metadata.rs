@@ -3,10 +3,14 @@
 //! Source: OGC CDB 1.x Volume 1, §5.1 "Version metadata" (Requirement 74). The schemas are Orb's own: real for the files
 //! that Orb writes, an empty declaration of the namespace for the others.
 
-use super::xml::{comment, escape};
-use crate::File;
+use super::store::{self, Store};
+use super::xml::{self, comment, escape};
+use crate::{Error, File, Result};
 
 pub const VERSION_XML: &str = "Metadata/Version.xml";
+pub const CONFIGURATION_XML: &str = "Metadata/Configuration.xml";
+/// Most versions in a chain for run time (Volume 1, Requirement 38).
+pub const MAX_VERSIONS: usize = 8;
 pub const VERSION_NAMESPACE: &str = "http://www.opengis.net/cdb/1.0/Version";
 pub const MATERIAL_NAMESPACE: &str = "http://www.opengis.net/cdb/1.0/Composite_Material_Table";
 /// The namespace of model descriptors, literally so in the 1.0 schema.
@@ -33,14 +37,35 @@ pub const SCHEMAS: [(&str, &str); 14] = [
     ("Version", VERSION_NAMESPACE),
 ];
 
-/// `Version.xml` of a store that claims CDB 1.0; the marking leads its comment.
-pub fn version_xml(marking: &str, text: &str) -> String {
+/// `Version.xml` of a store that claims CDB 1.0; the marking leads its comment. `previous`: the root of the version that
+/// it continues, seen from its own.
+pub fn version_xml(marking: &str, text: &str, previous: Option<&str>) -> String {
+    let previous =
+        previous.map(|p| format!("  <PreviousIncrementalRootDirectory name=\"{}\"/>\n", escape(p))).unwrap_or_default();
     let words = [marking, text].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(". ");
     format!(
-        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Version xmlns=\"{VERSION_NAMESPACE}\">\n  <Comment>{}</Comment>\n  \
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Version xmlns=\"{VERSION_NAMESPACE}\">\n{previous}  <Comment>{}</Comment>\n  \
          <Specification version=\"1.0\" authority=\"OGC\"/>\n</Version>\n",
         escape(&words)
     )
+}
+
+/// The root of the version that a store continues, as its `Version.xml` names it, relative to its own root or absolute.
+///
+/// # Errors
+/// [`Error::Unsupported`](crate::Error::Unsupported) for a `Version.xml` that cannot be read, and for a store whose
+/// `Configuration.xml` joins versions in another way.
+pub fn previous_version(store: &dyn Store) -> Result<Option<String>> {
+    if store::exists(store, CONFIGURATION_XML)? {
+        return Err(Error::Unsupported {
+            format: "CDB store",
+            what: format!("{CONFIGURATION_XML} joins several versions, which is not followed"),
+        });
+    }
+    let Some(text) = store::read_text(store, VERSION_XML)? else { return Ok(None) };
+    let version = xml::parse(&text).map_err(|e| store::unreadable(VERSION_XML, &e))?;
+    let previous = version.child("PreviousIncrementalRootDirectory").and_then(|p| p.attribute("name"));
+    Ok(previous.map(str::trim).filter(|p| !p.is_empty()).map(String::from))
 }
 
 /// The path of a schema.
@@ -156,7 +181,7 @@ const MODEL_METADATA_XSD: &str = concat!(
         <xs:element name="Name" type="xs:string"/>
         <xs:element name="Identification">
           <xs:complexType>
-            <xs:sequence>
+            <xs:choice>
               <xs:element name="Feature_Attribute_Catalog_Code">
                 <xs:complexType>
                   <xs:all>
@@ -173,7 +198,20 @@ const MODEL_METADATA_XSD: &str = concat!(
                   </xs:all>
                 </xs:complexType>
               </xs:element>
-            </xs:sequence>
+              <xs:element name="DIS_Entity_Type">
+                <xs:complexType>
+                  <xs:all>
+                    <xs:element name="Kind" type="xs:unsignedByte"/>
+                    <xs:element name="Domain" type="xs:unsignedByte"/>
+                    <xs:element name="Country" type="xs:unsignedShort"/>
+                    <xs:element name="Category" type="xs:unsignedByte"/>
+                    <xs:element name="Subcategory" type="xs:unsignedByte"/>
+                    <xs:element name="Specific" type="xs:unsignedByte"/>
+                    <xs:element name="Extra" type="xs:unsignedByte"/>
+                  </xs:all>
+                </xs:complexType>
+              </xs:element>
+            </xs:choice>
           </xs:complexType>
         </xs:element>
         <xs:element name="Textures" minOccurs="0">
@@ -213,9 +251,11 @@ mod tests {
 
     #[test]
     fn the_version_claims_1_0_and_carries_the_marking() {
-        let root = parse(&version_xml("CUI // <b> & -- c", "Made by Orb")).unwrap();
+        let root = parse(&version_xml("CUI // <b> & -- c", "Made by Orb", Some("../old & gold"))).unwrap();
         assert_eq!((root.name.as_str(), root.namespace()), ("Version", Some(VERSION_NAMESPACE)));
         assert_eq!(root.child_text("Comment"), Some("CUI // <b> & -- c. Made by Orb"));
+        let previous = root.child("PreviousIncrementalRootDirectory").unwrap();
+        assert_eq!(previous.attribute("name"), Some("../old & gold"));
         assert_eq!(root.child("Specification").and_then(|s| s.attribute("version")), Some("1.0"));
     }
 

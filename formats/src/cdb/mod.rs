@@ -1,6 +1,9 @@
-//! OGC CDB 1.x data stores: placing a geospecific model (GSModel), and checking a store.
+//! OGC CDB 1.x data stores: placing a model, and checking a store.
 //!
-//! [`add_model`] turns a model and a store into the files that are new or change; [`check`] reads a store and says what
+//! A model is geospecific (GSModel), geotypical (GTModel) or moving (MModel): [`Kind`].
+//!
+//! [`add_model`] turns a model and a store into the files that are new or change, [`add_version`] into a new version of the
+//! store, which leaves the old one as it is; [`check`] reads a store and says what
 //! breaks the standard. Written is CDB 1.0 with Shapefile, SGI, OpenFlight and stored zips, which readers of every version
 //! from 3.x to 1.3 take.
 //!
@@ -11,12 +14,17 @@
 mod add;
 mod archive;
 mod attributes;
+mod chain;
 mod check;
+mod codes;
 pub mod dbf;
 mod descriptor;
+mod dis;
 mod entries;
 mod features;
 pub mod geocell;
+mod library;
+mod library_model;
 pub mod lod;
 mod material;
 mod metadata;
@@ -30,7 +38,10 @@ mod texture;
 
 use crate::xml;
 
-pub use add::{Added, add_model};
+pub use add::{Added, add_model, add_version};
 pub use check::{Finding, Report, RuleReport, Verdict, check, report};
-pub use model::{GsModel, Level};
-pub use store::{Empty, ListableStore, Memory, Store};
+pub use dis::EntityType;
+pub use material::{Base, Material};
+pub use metadata::{MAX_VERSIONS, previous_version};
+pub use model::{Kind, Level, Model};
+pub use store::{Empty, ListableStore, Memory, Store, Versions};

@@ -1,14 +1,29 @@
-//! A geospecific model: what a caller gives, checked and measured.
+//! A model: what a caller gives, checked and measured.
 
+use super::dis::EntityType;
 use super::geocell::Tile;
 use super::lod::{self, Placed};
+use super::material::Material;
 use super::names;
 use super::texture::Texture;
 use crate::{Error, Image, Mesh, Result};
 
+/// Where a model is kept, and what a store takes it for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kind {
+    /// One of its kind, in the tiles of its place (GSModel).
+    #[default]
+    Geospecific,
+    /// One of a library, that any number of features refer to (GTModel).
+    Geotypical,
+    /// One that simulations move, known by its DIS entity type (MModel).
+    Moving(EntityType),
+}
+
 /// A model and its place on the Earth.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GsModel {
+pub struct Model {
+    pub kind: Kind,
     /// What the model should be called; made into a MODL.
     pub name: String,
     /// Feature code, two letters and three digits; `UA005` is any man-made object.
@@ -22,6 +37,7 @@ pub struct GsModel {
     pub height: f64,
     /// Bearing of the model's +Y, degrees clockwise from true north.
     pub heading: f64,
+    pub material: Material,
     /// Coarsest first.
     pub levels: Vec<Level>,
     /// The banner.
@@ -110,7 +126,7 @@ pub struct Prepared {
     pub notes: Vec<String>,
 }
 
-/// One level of [`Prepared`], in the order of [`GsModel::levels`].
+/// One level of [`Prepared`], in the order of [`Model::levels`].
 #[derive(Clone, Debug)]
 pub struct PreparedLevel {
     pub placed: Placed,
@@ -132,7 +148,7 @@ impl Prepared {
 ///
 /// # Errors
 /// [`Error::Unsupported`] naming the first rule that is broken and what was found.
-pub fn prepare(model: &GsModel) -> Result<Prepared> {
+pub fn prepare(model: &Model) -> Result<Prepared> {
     names::check_feature_code(&model.facc, model.fsc)?;
     let coarse = Tile::containing(model.latitude, model.longitude, -10)?;
     if !model.height.is_finite() || model.height.abs() > 1e6 {
@@ -160,7 +176,8 @@ pub fn prepare(model: &GsModel) -> Result<Prepared> {
     let tile = |lod| Tile::containing(model.latitude, model.longitude, lod);
     let overhangs = |p: &Placed| Ok(!lod::fits(tile(p.lod)?, model.latitude, size.radius));
     while let Some(finest) = placed.last().copied() {
-        if !overhangs(&finest)? {
+        // Models of libraries are in no tile.
+        if model.kind != Kind::Geospecific || !overhangs(&finest)? {
             break;
         }
         placed.pop();

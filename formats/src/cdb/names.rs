@@ -13,14 +13,15 @@ pub struct Dataset {
 }
 
 pub const GS_FEATURE: Dataset = Dataset { code: 100, name: "100_GSFeature" };
+pub const GT_FEATURE: Dataset = Dataset { code: 101, name: "101_GTFeature" };
 pub const VECTOR_MATERIAL: Dataset = Dataset { code: 200, name: "200_VectorMaterial" };
 pub const GS_MODEL_GEOMETRY: Dataset = Dataset { code: 300, name: "300_GSModelGeometry" };
 pub const GS_MODEL_TEXTURE: Dataset = Dataset { code: 301, name: "301_GSModelTexture" };
 pub const GS_MODEL_DESCRIPTOR: Dataset = Dataset { code: 303, name: "303_GSModelDescriptor" };
 
 /// The datasets that this crate reads and writes.
-pub const DATASETS: [Dataset; 5] =
-    [GS_FEATURE, VECTOR_MATERIAL, GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE, GS_MODEL_DESCRIPTOR];
+pub const DATASETS: [Dataset; 6] =
+    [GS_FEATURE, GT_FEATURE, VECTOR_MATERIAL, GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE, GS_MODEL_DESCRIPTOR];
 
 /// Longest MODL: CNAM joins FACC (5), FSC (3) and MODL in 32 characters.
 pub const MAX_MODEL_NAME: usize = 24;
@@ -35,7 +36,7 @@ pub fn lod_folder(lod: i8) -> String {
     if lod < 0 { "LC".into() } else { lod_name(lod) }
 }
 
-fn lod_from_name(name: &str) -> Option<i8> {
+pub fn lod_from_name(name: &str) -> Option<i8> {
     LODS.into_iter().find(|&lod| lod_name(lod) == name)
 }
 

@@ -32,6 +32,44 @@ impl Store for Empty {
     }
 }
 
+/// Several versions as one store: what the first has counts before the same path of the next.
+///
+/// Source: OGC CDB 1.x Volume 1, §3.2 "Versioning". The Metadata of a version is its own.
+pub struct Versions<'a> {
+    /// Newest first.
+    stores: Vec<&'a dyn Store>,
+}
+
+impl<'a> Versions<'a> {
+    pub fn new(stores: Vec<&'a dyn Store>) -> Self {
+        Versions { stores }
+    }
+
+    fn of(&self, path: &str) -> &[&'a dyn Store] {
+        if path.starts_with("Metadata/") { &self.stores[..self.stores.len().min(1)] } else { &self.stores }
+    }
+}
+
+impl Store for Versions<'_> {
+    fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>> {
+        for store in self.of(path) {
+            if let Some(bytes) = store.read(path)? {
+                return Ok(Some(bytes));
+            }
+        }
+        Ok(None)
+    }
+
+    fn exists(&self, path: &str) -> io::Result<bool> {
+        for store in self.of(path) {
+            if store.exists(path)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}
+
 /// A store in memory.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Memory {

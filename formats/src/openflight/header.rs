@@ -27,25 +27,36 @@ pub struct Header {
     pub radius: f64,
 }
 
+/// The free ID after those that are used.
+pub fn next(used: usize) -> i16 {
+    i16::try_from(used + 1).unwrap_or(i16::MAX)
+}
+
 impl Header {
     /// The header that describes a model: free IDs after those the writer hands out, extents of its geometry.
     /// `faces` is the number of face records.
     pub fn of(model: &Model, faces: usize) -> Self {
-        let boxes = model.levels.iter().filter_map(|l| l.mesh.bounds());
-        let (lo, hi) = boxes.reduce(union).unwrap_or_default();
+        let bounds = model.levels.iter().filter_map(|l| l.mesh.bounds()).reduce(union).unwrap_or_default();
         let farthest =
             model.levels.iter().flat_map(|l| &l.mesh.positions).map(|p| p.iter().map(|x| x * x).sum::<f64>());
-        let next = |used: usize| i16::try_from(used + 1).unwrap_or(i16::MAX);
-        let levels = next(model.levels.len());
-        let corners = model.origin.map(|at| geographic_corners(at, lo, hi)).unwrap_or_default();
+        let levels = model.levels.len();
         Self {
-            date: model.date.clone(),
-            next_ids: [next(1), levels, levels, next(faces)],
+            next_ids: [1 + model.points.len(), levels, levels, faces].map(next),
+            radius: farthest.fold(0.0, f64::max).sqrt(),
+            ..Self::around(&model.date, model.origin, bounds)
+        }
+    }
+
+    /// The header of a file around a box; free IDs and the radius are not filled in.
+    pub fn around(date: &str, origin: Option<(f64, f64)>, (lo, hi): ([f64; 3], [f64; 3])) -> Self {
+        Self {
+            date: date.into(),
+            next_ids: [1; 4],
             next_mesh: 1,
             southwest: [lo[0], lo[1]],
-            corners,
-            origin: model.origin.unwrap_or_default(),
-            radius: farthest.fold(0.0, f64::max).sqrt(),
+            corners: origin.map(|at| geographic_corners(at, lo, hi)).unwrap_or_default(),
+            origin: origin.unwrap_or_default(),
+            radius: 0.0,
         }
     }
 

@@ -5,12 +5,13 @@
 //! records. Bit 0 of a flag word is its most significant bit.
 //!
 //! [`write()`] makes faces over a vertex palette, [`write_as`] also meshes; [`read`] takes both; [`check`] looks a file over. What is
-//! written reads back equal but for the vertices' sharing: see [`read`].
+//! written reads back equal but for the vertices' sharing: see [`read`]. [`write_master`] makes a file that refers to others.
 
 pub mod attributes;
 mod check;
 mod geometry;
 mod header;
+mod master;
 mod mesh;
 mod palette;
 mod read;
@@ -21,6 +22,7 @@ mod tree;
 mod write;
 
 pub use check::check;
+pub use master::{Master, Reference, read_master, write_master};
 pub use read::read;
 pub use write::{write, write_as};
 
@@ -57,6 +59,23 @@ pub struct Model {
     pub textures: Vec<String>,
     /// Siblings under the root group, in file order: coarsest first, by decreasing significant size.
     pub levels: Vec<Level>,
+    /// Named frames beside the levels.
+    pub points: Vec<Point>,
+}
+
+/// A place with axes: a group that has a comment, a matrix and nothing below it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Point {
+    /// What it is for: a CDB point's XML.
+    pub comment: String,
+    /// From the point's own axes to the model's; row vectors, the place in the last row.
+    pub matrix: [[f32; 4]; 4],
+}
+
+/// The distance up to which a level of this significant size is needed, metres: where the size covers one of 1080 lines
+/// with a vertical field of view of 60° (distance = size · lines / (2 · tan(field / 2))).
+pub fn switch_distance(significant_size: f64) -> f64 {
+    significant_size * 1080.0 / (2.0 * 0.577_350_269_189_625_8)
 }
 
 /// One level of detail: a LOD record with one object below it.

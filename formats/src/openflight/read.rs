@@ -3,9 +3,9 @@
 use super::geometry::{PoolLayout, Transform, Vertex, mesh, primitive, triangulate, vertex};
 use super::record::{Record, opcode};
 use super::tree::{Node, Tree};
-use super::{FORMAT, Level, Model, header};
+use super::{FORMAT, Level, Model, Point, header};
 use crate::{Error, Result};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Faces and meshes that are not drawn (the hidden flag, bit 5).
 pub const HIDDEN: u32 = 0x0400_0000;
@@ -50,7 +50,29 @@ pub fn read(bytes: &[u8]) -> Result<Model> {
         zone_comment: comment(root.and_then(|n| n.ancillary(opcode::COMMENT))),
         textures,
         levels: Geometry::of(&tree, &patterns)?.levels(head.metres)?,
+        points: points(&tree, head.metres)?,
     })
+}
+
+/// Groups that have a comment, a matrix and nothing below them.
+fn points(tree: &Tree, metres: f64) -> Result<Vec<Point>> {
+    let parents: BTreeSet<usize> = tree.nodes.iter().filter_map(|n| n.parent).collect();
+    let mut points = Vec::new();
+    for (index, node) in tree.nodes.iter().enumerate() {
+        let (Some(comment), Some(matrix)) = (node.ancillary(opcode::COMMENT), node.ancillary(opcode::MATRIX)) else {
+            continue;
+        };
+        if node.record.opcode != opcode::GROUP || parents.contains(&index) {
+            continue;
+        }
+        let mut point = Point { comment: comment.string(4), ..Point::default() };
+        for (i, value) in point.matrix.iter_mut().flatten().enumerate() {
+            *value = matrix.f32(4 + 4 * i)?;
+        }
+        point.matrix[3][..3].iter_mut().for_each(|x| *x = (f64::from(*x) * metres) as f32);
+        points.push(point);
+    }
+    Ok(points)
 }
 
 /// What a node hands down to its children.

@@ -21,6 +21,7 @@ pub mod opcode {
     pub const MATRIX: u16 = 49;
     pub const INSTANCE_REFERENCE: u16 = 61;
     pub const INSTANCE_DEFINITION: u16 = 62;
+    pub const EXTERNAL_REFERENCE: u16 = 63;
     pub const TEXTURE: u16 = 64;
     pub const VERTEX_PALETTE: u16 = 67;
     /// Vertex with colour.
@@ -49,7 +50,7 @@ pub mod opcode {
                 | 14 // degree of freedom
                 | 55 // binary separating plane
                 | INSTANCE_REFERENCE | INSTANCE_DEFINITION
-                | 63 // external reference
+                | EXTERNAL_REFERENCE
                 | 87 | 91 | 92 | 95 | 98 // road segment, sound, road path, text, clip region
                 | 89 // morph vertex list
                 | 96 // switch

@@ -7,7 +7,7 @@ mod properties;
 use super::header::Header;
 use super::record::opcode;
 use super::write::{drawn, write_with};
-use super::{Geometry, Level, Model, check, read, write, write_as};
+use super::{Geometry, Level, Model, Point, check, read, write, write_as};
 use crate::{Error, Mesh};
 use sha2::{Digest, Sha256};
 
@@ -36,6 +36,7 @@ fn triangle() -> Model {
                 triangles: vec![[0, 1, 2]],
             },
         }],
+        points: vec![],
     }
 }
 
@@ -84,6 +85,10 @@ fn two_levels() -> Model {
         zone_comment: Some("<CDB:Zone name=\"Crate\">\n  <Material>1</Material>\n</CDB:Zone>".into()),
         textures: vec!["tex/crate_a.rgb".into(), "../../b/crate.rgb".into()],
         levels: vec![far, level("near", 300.0, 0.0, 0.1, Some(1), 1.0)],
+        points: vec![Point {
+            comment: "<CDB:Point name=\"DIS_Origin\"/>".into(),
+            matrix: [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.25, -0.5, 1.0, 1.0]],
+        }],
     }
 }
 
@@ -194,7 +199,7 @@ fn mesh_only(model: &mut Model, triangles: Vec<[u32; 3]>) {
 fn the_header_counts_and_measures() {
     let bytes = write(&two_levels()).unwrap();
     let i16_at = |at: usize| i16::from_be_bytes([bytes[at], bytes[at + 1]]);
-    assert_eq!([52, 54, 56, 58].map(i16_at), [2, 3, 3, 25]);
+    assert_eq!([52, 54, 56, 58].map(i16_at), [3, 3, 3, 25]); // the root and a point are groups
     let f64_at = |at: usize| f64::from_be_bytes(bytes[at..at + 8].try_into().unwrap());
     assert_eq!((f64_at(132), f64_at(140)), (-1.0, -1.0));
     assert_eq!(f64_at(292), 6.0f64.sqrt()); // the corner (1, 1, 2)

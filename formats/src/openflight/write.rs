@@ -3,11 +3,11 @@
 use super::header::{Header, union};
 use super::palette::{self, VertexPalette};
 use super::record::{Writer, opcode};
-use super::{FORMAT, Geometry, Level, Model, mesh};
+use super::{FORMAT, Geometry, Level, Model, Point, mesh};
 use crate::{Error, Result};
 
 /// The longest text of a comment or long ID: a record of 65532 bytes less its header and NUL.
-const MAX_STRING: usize = 65527;
+pub const MAX_STRING: usize = 65527;
 
 /// Writes a model as OpenFlight 16.0.
 ///
@@ -51,6 +51,7 @@ fn write_meshes(model: &Model, faces: usize) -> Result<Vec<u8>> {
         out.control(opcode::POP);
         out.control(opcode::POP);
     }
+    write_points(&mut out, &model.points);
     out.control(opcode::POP);
     out.control(opcode::POP);
     Ok(out.bytes)
@@ -104,6 +105,7 @@ pub fn write_with(model: &Model, header: &Header, faces: usize) -> Result<Vec<u8
         out.control(opcode::POP);
         out.control(opcode::POP);
     }
+    write_points(&mut out, &model.points);
     out.control(opcode::POP);
     out.control(opcode::POP);
     Ok(out.bytes)
@@ -135,16 +137,18 @@ pub fn write_long_id(out: &mut Writer, id: &str, name: &str) {
 }
 
 fn write_group(out: &mut Writer, model: &Model) {
+    let bounds = model.levels.iter().filter_map(|l| l.mesh.bounds()).reduce(union).unwrap_or_default();
+    write_zone(out, &model.name, model.zone_comment.as_deref(), bounds);
+}
+
+/// The root group with its name, comment and box.
+pub fn write_zone(out: &mut Writer, name: &str, comment: Option<&str>, (lo, hi): ([f64; 3], [f64; 3])) {
     let id = id('g', 1);
-    out.begin(opcode::GROUP);
-    write_id(out, &id);
-    out.zeros(32); // priority, flags, effects, significance, layer and animation: all none
-    out.end();
-    write_long_id(out, &id, &model.name);
-    if let Some(comment) = &model.zone_comment {
+    write_group_record(out, &id);
+    write_long_id(out, &id, name);
+    if let Some(comment) = comment {
         out.string_record(opcode::COMMENT, comment);
     }
-    let (lo, hi) = model.levels.iter().filter_map(|l| l.mesh.bounds()).reduce(union).unwrap_or_default();
     out.begin(opcode::BOUNDING_BOX);
     out.zeros(4);
     out.f64s(&lo);
@@ -152,18 +156,43 @@ fn write_group(out: &mut Writer, model: &Model) {
     out.end();
 }
 
+fn write_group_record(out: &mut Writer, id: &str) {
+    out.begin(opcode::GROUP);
+    write_id(out, id);
+    out.zeros(32); // priority, flags, effects, significance, layer and animation: all none
+    out.end();
+}
+
+fn write_points(out: &mut Writer, points: &[Point]) {
+    for (index, point) in points.iter().enumerate() {
+        // The root has the first number.
+        write_group_record(out, &id('g', index + 2));
+        out.begin(opcode::MATRIX);
+        point.matrix.iter().for_each(|row| out.f32s(row));
+        out.end();
+        out.string_record(opcode::COMMENT, &point.comment);
+    }
+}
+
 fn write_lod(out: &mut Writer, level: &Level, number: usize) {
+    let range = [level.switch_in, level.switch_out, level.transition, level.significant_size];
+    write_lod_record(out, &level.name, number, range, &level.center);
+}
+
+/// A LOD record: switch-in, switch-out, transition and significant size, metres.
+pub fn write_lod_record(out: &mut Writer, name: &str, number: usize, range: [f64; 4], center: &[f64; 3]) {
     let id = id('l', number);
+    let [switch_in, switch_out, transition, significant_size] = range;
     out.begin(opcode::LOD);
     write_id(out, &id);
     out.zeros(4);
-    out.f64s(&[level.switch_in, level.switch_out]);
+    out.f64s(&[switch_in, switch_out]);
     out.zeros(4); // special effects
     out.u32(0x2000_0000); // the centre is frozen
-    out.f64s(&level.center);
-    out.f64s(&[level.transition, level.significant_size]);
+    out.f64s(center);
+    out.f64s(&[transition, significant_size]);
     out.end();
-    write_long_id(out, &id, &level.name);
+    write_long_id(out, &id, name);
 }
 
 fn write_object(out: &mut Writer, number: usize) {
@@ -218,6 +247,12 @@ fn validate(model: &Model, faces: usize) -> Result<()> {
     text("the date", &model.date, 31)?;
     model.header_comment.iter().try_for_each(|c| text("the header comment", c, MAX_STRING))?;
     model.zone_comment.iter().try_for_each(|c| text("the zone comment", c, MAX_STRING))?;
+    for point in &model.points {
+        text("a point's comment", &point.comment, MAX_STRING)?;
+        if !point.matrix.iter().flatten().all(|x| x.is_finite()) {
+            return refuse(format!("the matrix of {:?} is not finite", point.comment));
+        }
+    }
     if let Some((latitude, longitude)) = model.origin
         && !((-90.0..=90.0).contains(&latitude) && (-180.0..=180.0).contains(&longitude))
     {
@@ -226,19 +261,14 @@ fn validate(model: &Model, faces: usize) -> Result<()> {
     if model.textures.len() > i16::MAX as usize {
         return refuse(format!("at most 32767 textures can be indexed, found {}", model.textures.len()));
     }
-    for path in &model.textures {
-        text("a texture path", path, 199)?;
-        if path.is_empty() || path.starts_with('/') || path.contains(['\\', ':']) {
-            return refuse(format!("texture paths are relative with / between folders, found {path:?}"));
-        }
-    }
+    model.textures.iter().try_for_each(|path| relative("a texture path", path))?;
     if model.levels.is_empty() {
         return refuse("a model needs at least one level of detail".into());
     }
     let mut names = std::collections::BTreeSet::new();
     let mut unique = |name: &str, own: String| {
         let taken = name != own
-            && (name == "g1"
+            && (is_numbered(name, 'g', 1 + model.points.len())
                 || is_numbered(name, 'l', model.levels.len())
                 || is_numbered(name, 'o', model.levels.len())
                 || is_numbered(name, 'm', model.levels.len())
@@ -265,16 +295,7 @@ fn is_numbered(name: &str, letter: char, count: usize) -> bool {
 fn validate_level(model: &Model, level: &Level, index: usize) -> Result<()> {
     let which = format!("level {} {:?}", index + 1, level.name);
     text("a level's name", &level.name, MAX_STRING)?;
-    let numbers = [level.switch_in, level.switch_out, level.transition, level.significant_size];
-    if !numbers.iter().chain(&level.center).all(|x| x.is_finite()) || numbers.iter().any(|&x| x < 0.0) {
-        return refuse(format!("{which}: distances and sizes must be finite and not negative"));
-    }
-    if level.switch_in <= level.switch_out {
-        return refuse(format!(
-            "{which}: switch-in {} must exceed switch-out {}, or it is never drawn",
-            level.switch_in, level.switch_out
-        ));
-    }
+    check_range(&which, [level.switch_in, level.switch_out, level.transition, level.significant_size], &level.center)?;
     if level.texture.is_some_and(|t| t >= model.textures.len()) {
         return refuse(format!("{which}: texture {:?} of {} does not exist", level.texture, model.textures.len()));
     }
@@ -285,7 +306,30 @@ fn validate_level(model: &Model, level: &Level, index: usize) -> Result<()> {
     Ok(())
 }
 
-fn text(what: &str, text: &str, longest: usize) -> Result<()> {
+/// Whether a LOD record may have these distances and sizes, as [`write_lod_record`] takes them.
+pub fn check_range(which: &str, range: [f64; 4], center: &[f64; 3]) -> Result<()> {
+    if !range.iter().chain(center).all(|x| x.is_finite()) || range.iter().any(|&x| x < 0.0) {
+        return refuse(format!("{which}: distances and sizes must be finite and not negative"));
+    }
+    if range[0] <= range[1] {
+        return refuse(format!(
+            "{which}: switch-in {} must exceed switch-out {}, or it is never drawn",
+            range[0], range[1]
+        ));
+    }
+    Ok(())
+}
+
+/// Whether a text is a path that a reader finds from the file's own folder.
+pub fn relative(what: &str, path: &str) -> Result<()> {
+    text(what, path, 199)?;
+    if path.is_empty() || path.starts_with('/') || path.contains(['\\', ':']) {
+        return refuse(format!("{what} is relative with / between folders, found {path:?}"));
+    }
+    Ok(())
+}
+
+pub fn text(what: &str, text: &str, longest: usize) -> Result<()> {
     // Zone XML may have line ends.
     let printable = |b: u8| (0x20..0x7f).contains(&b) || matches!(b, b'\n' | b'\r' | b'\t');
     if text.len() > longest {
@@ -297,6 +341,6 @@ fn text(what: &str, text: &str, longest: usize) -> Result<()> {
     Ok(())
 }
 
-fn refuse<T>(what: String) -> Result<T> {
+pub fn refuse<T>(what: String) -> Result<T> {
     Err(Error::Unsupported { format: FORMAT, what })
 }

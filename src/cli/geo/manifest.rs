@@ -9,7 +9,7 @@ use crate::audit::dsse::Envelope;
 use crate::audit::statement::{Param, Statement};
 use crate::{Error, Kind, Result};
 
-const COLUMNS: [&str; 13] = [
+const COLUMNS: [&str; 16] = [
     "photo",
     "name",
     "origin",
@@ -22,6 +22,9 @@ const COLUMNS: [&str; 13] = [
     "camera_height",
     "distance",
     "facc",
+    "as",
+    "dis",
+    "material",
     "classification",
 ];
 /// Name of the record's parameter that tells which line a folder came of.
@@ -53,7 +56,7 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(stem));
     let make = |folder: &Path| std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, &e));
     make(&output)?;
-    let store = match (&args.cdb, args.format.contains(&super::Format::Cdb)) {
+    let store = match (&args.write.cdb, args.format.contains(&super::Format::Cdb)) {
         (Some(given), _) => Some(given.clone()),
         (None, true) => Some(output.join("store.cdb")),
         (None, false) => None,
@@ -118,7 +121,7 @@ fn one(
     let mut attempt = || -> Result<End> {
         let mut own = args.clone();
         own.manifest = None;
-        own.cdb = store.map(Path::to_owned);
+        own.write.cdb = store.map(Path::to_owned);
         let photo = line.apply(&mut own)?;
         let photo = base.join(photo);
         let name = line.get("name").map_or_else(|| super::super::format::safe_stem(&photo), str::to_owned);
@@ -222,9 +225,13 @@ impl Line {
         s.width = number("width")?.or(s.width);
         s.camera_height = number("camera_height")?.or(s.camera_height);
         s.distance = number("distance")?.or(s.distance);
+        let w = &mut to.write;
         if let Some(facc) = self.get("facc") {
-            to.facc = facc.to_owned();
+            w.facc = facc.to_owned();
         }
+        w.kind = choice(self, "as")?.unwrap_or(w.kind);
+        w.dis = self.get("dis").map(str::to_owned).or(w.dis.take());
+        w.material = self.get("material").map(str::to_owned).or(w.material.take());
         if let Some(banner) = self.get("classification") {
             to.marking.classification = Some(banner.to_owned());
         }

@@ -4,13 +4,17 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Findings;
-use super::geometry::{LevelFacts, Models};
+use super::flt::{self, LevelFacts};
+use super::geometry::Models;
+use super::library::{Library, LibraryModel};
 use crate::Result;
-use crate::cdb::features::{CLASSES, FeatureTile, POINTS};
+use crate::cdb::attributes::{GEOSPECIFIC, GEOTYPICAL, Layer, MOVING};
+use crate::cdb::dis::EntityType;
+use crate::cdb::features::FeatureTile;
 use crate::cdb::geocell::{Geocell, LODS, Tile};
 use crate::cdb::lod;
 use crate::cdb::model::Size;
-use crate::cdb::names::{self, GS_FEATURE, TileFile, VECTOR_MATERIAL};
+use crate::cdb::names::{self, TileFile, VECTOR_MATERIAL};
 use crate::cdb::shapefile::PointZ;
 use crate::cdb::store::{ListableStore, exists, read_text};
 use crate::cdb::{material, xml};
@@ -22,83 +26,121 @@ const CENTIMETRE: f64 = 0.0101;
 /// One placed model: point (bits of longitude, latitude) and `FACC_FSC_MODL`.
 type Placed = (Geocell, u64, u64, String);
 
+/// Checks the features of every layer.
 pub fn check(
     store: &dyn ListableStore,
     files: &[(String, TileFile)],
     models: &Models,
+    library: &Library,
     findings: &mut Findings,
 ) -> Result<()> {
-    let is_points = |f: &TileFile| f.dataset == GS_FEATURE && f.selector == POINTS && f.extension == "shp";
-    let tiles: BTreeSet<Tile> = files.iter().filter(|(_, f)| is_points(f)).map(|(_, f)| f.tile).collect();
-    let mut rows: BTreeMap<Placed, BTreeMap<i8, i8>> = BTreeMap::new();
-    let mut used = BTreeSet::new();
     let mut materials = BTreeMap::new();
-    let mut classes: BTreeMap<(Geocell, String), String> = BTreeMap::new();
-    for &tile in &tiles {
-        let path = names::path(tile, GS_FEATURE, POINTS, "shp");
-        check_files(store, tile, &tiles, &path, findings)?;
-        let content = match FeatureTile::read(store, tile, (1900, 1, 1)) {
-            Ok(Some(content)) => content,
-            Ok(None) => continue,
-            Err(e) => {
-                findings.add(3, &path, e.to_string());
-                continue;
+    for layer in Layer::all() {
+        let is_points =
+            |f: &TileFile| f.dataset == layer.dataset && f.selector == layer.points() && f.extension == "shp";
+        let tiles: BTreeSet<Tile> = files.iter().filter(|(_, f)| is_points(f)).map(|(_, f)| f.tile).collect();
+        let mut all = Features { layer, tiles, rows: BTreeMap::new(), used: BTreeSet::new() };
+        all.check(store, models, library, &mut materials, findings)?;
+        if *layer == GEOSPECIFIC {
+            check_repeats(&all.rows, &all.tiles, models, findings);
+            check_uniqueness(&all.rows, findings);
+            for ((tile, key), facts) in &models.levels {
+                if !all.used.contains(&(*tile, key.clone())) {
+                    findings.add(1, &facts.path, format!("no feature places the model {key} of this tile"));
+                }
             }
-        };
-        if content.points.len() > lod::max_points(tile.lod) {
-            findings.add(
-                3,
-                &path,
-                format!("{} points, at most {} are allowed", content.points.len(), lod::max_points(tile.lod)),
-            );
-        }
-        let materials = match materials.entry(tile.cell) {
-            Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(new) => new.insert(material_indices(store, tile.cell, findings)?),
-        };
-        for (r, point) in content.points.iter().enumerate() {
-            let Some(p) = point.filter(|_| !content.instances.is_deleted(r)) else { continue };
-            let mut row = Row { tile, path: &path, number: r, point: p, content: &content, findings };
-            row.check_place();
-            row.check_material(materials);
-            let Some((key, mlod)) = row.check_model(models, &mut used) else { continue };
-            rows.entry((tile.cell, p.x.to_bits(), p.y.to_bits(), key)).or_default().insert(tile.lod, mlod);
-        }
-        for c in 0..content.classes.len() {
-            let text = |name| content.classes.text(c, name).unwrap_or_default();
-            let class = [text("FACC"), text("FSC"), text("MODL")].join("/");
-            let known = classes.entry((tile.cell, text("CNAM"))).or_insert_with(|| class.clone());
-            if *known != class {
-                findings.add(1, &path, format!("the class {} is {class} here and {known} elsewhere", text("CNAM")));
-            }
-        }
-    }
-    check_repeats(&rows, &tiles, models, findings);
-    check_uniqueness(&rows, findings);
-    for ((tile, key), facts) in &models.levels {
-        if !used.contains(&(*tile, key.clone())) {
-            findings.add(1, &facts.path, format!("no feature places the model {key} of this tile"));
+        } else {
+            check_inherited(layer, &all.rows, &all.tiles, findings);
         }
     }
     Ok(())
 }
 
+/// What is known of each geocell's material table.
+type Materials = BTreeMap<Geocell, Option<BTreeSet<u32>>>;
+
+/// The features of a layer.
+struct Features {
+    layer: &'static Layer,
+    tiles: BTreeSet<Tile>,
+    /// MLOD in each tile that shows the feature; of moving models the tile's own level.
+    rows: BTreeMap<Placed, BTreeMap<i8, i8>>,
+    /// Models in tiles that some feature places.
+    used: BTreeSet<(Tile, String)>,
+}
+
+impl Features {
+    fn check(
+        &mut self,
+        store: &dyn ListableStore,
+        models: &Models,
+        library: &Library,
+        materials: &mut Materials,
+        findings: &mut Findings,
+    ) -> Result<()> {
+        let layer = self.layer;
+        let mut classes: BTreeMap<(Geocell, String), String> = BTreeMap::new();
+        for &tile in &self.tiles {
+            let path = names::path(tile, layer.dataset, layer.points(), "shp");
+            check_files(store, layer, tile, &self.tiles, &path, findings)?;
+            let content = match FeatureTile::read(store, layer, tile, (1900, 1, 1)) {
+                Ok(Some(content)) => content,
+                Ok(None) => continue,
+                Err(e) => {
+                    findings.add(3, &path, e.to_string());
+                    continue;
+                }
+            };
+            let (count, limit) = (content.points.len(), lod::max_points(tile.lod));
+            if count > limit {
+                findings.add(3, &path, format!("{count} points, at most {limit} are allowed"));
+            }
+            let materials = match materials.entry(tile.cell) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(new) => new.insert(material_indices(store, tile.cell, findings)?),
+            };
+            for (r, point) in content.points.iter().enumerate() {
+                let Some(p) = point.filter(|_| !content.instances.is_deleted(r)) else { continue };
+                let mut row = Row { layer, tile, path: &path, number: r, point: p, content: &content, findings };
+                row.check_place();
+                if *layer != MOVING {
+                    row.check_material(materials);
+                }
+                let Some((key, mlod)) = row.check_model(models, library, &mut self.used) else { continue };
+                let placed = (tile.cell, p.x.to_bits(), p.y.to_bits(), key);
+                self.rows.entry(placed).or_default().insert(tile.lod, mlod);
+            }
+            for c in 0..content.classes.len() {
+                let text = |name| content.classes.text(c, name).unwrap_or_default();
+                let class = [text("FACC"), text("FSC"), text(layer.model_name())].join("/");
+                let known = classes.entry((tile.cell, text("CNAM"))).or_insert_with(|| class.clone());
+                if *known != class {
+                    let cnam = text("CNAM");
+                    findings.add(1, &path, format!("the class {cnam} is {class} here and {known} elsewhere"));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Rule 3: the files of a tile, and the tile above it.
 fn check_files(
     store: &dyn ListableStore,
+    layer: &Layer,
     tile: Tile,
     tiles: &BTreeSet<Tile>,
     path: &str,
     findings: &mut Findings,
 ) -> Result<()> {
-    for (selector, extension) in [(POINTS, "shx"), (POINTS, "dbf"), (CLASSES, "dbf")] {
-        let beside = names::path(tile, GS_FEATURE, selector, extension);
+    for (selector, extension) in [(layer.points(), "shx"), (layer.points(), "dbf"), (layer.classes(), "dbf")] {
+        let beside = names::path(tile, layer.dataset, selector, extension);
         if !exists(store, &beside)? {
             findings.add(3, path, format!("{beside} is missing"));
         }
     }
     if let Some(parent) = tile.parent().filter(|p| !tiles.contains(p)) {
-        let above = names::path(parent, GS_FEATURE, POINTS, "shp");
+        let above = names::path(parent, layer.dataset, layer.points(), "shp");
         findings.add(3, path, format!("the pyramid has a gap: {above} is missing"));
     }
     Ok(())
@@ -139,6 +181,7 @@ fn material_indices(
 
 /// One feature of a tile.
 struct Row<'a> {
+    layer: &'static Layer,
     tile: Tile,
     path: &'a str,
     number: usize,
@@ -178,18 +221,33 @@ impl Row<'_> {
     }
 
     /// Rules 1, 4 and 8; returns the model's key and its MLOD.
-    fn check_model(&mut self, models: &Models, used: &mut BTreeSet<(Tile, String)>) -> Option<(String, i8)> {
+    fn check_model(
+        &mut self,
+        models: &Models,
+        library: &Library,
+        used: &mut BTreeSet<(Tile, String)>,
+    ) -> Option<(String, i8)> {
         let text = |name| self.content.text(self.number, name);
-        let model_name = text("MODL")?;
-        if text("MODT").is_some_and(|t| t == "T") {
-            return None;
+        let model_name = text(self.layer.model_name())?;
+        let has_class = self.content.class_of(self.number).is_some();
+        if *self.layer == MOVING {
+            if !has_class {
+                self.add(1, "its CNAM names no class of the tile".into());
+            }
+            let entity = EntityType::parse(&model_name).ok().filter(|e| e.code() == model_name);
+            match entity {
+                None => self.add(1, format!("MMDC {model_name} is no code of seven numbers")),
+                Some(entity) => self.check_library(library.moving.get(&entity), &model_name),
+            }
+            return Some((model_name, self.tile.lod));
         }
         let (facc, fsc) = (text("FACC").unwrap_or_default(), self.number_of("FSC").unwrap_or(-1.0));
+        let typical = text("MODT").map_or(*self.layer == GEOTYPICAL, |t| t == "T");
         let key = names::feature_code(&facc, fsc as u16) + "_" + &model_name;
         if names::check_feature_code(&facc, fsc as u16).is_err() || fsc < 0.0 {
             self.add(1, format!("the feature code {facc}/{fsc} is none"));
         }
-        if self.content.class_of(self.number).is_none() {
+        if !has_class {
             self.add(1, "its CNAM names no class of the tile".into());
         }
         let mlod = self.number_of("MLOD").filter(|m| LODS.contains(&(*m as i8)) && m.fract() == 0.0);
@@ -199,6 +257,15 @@ impl Row<'_> {
         };
         if mlod > self.tile.lod {
             self.add(4, format!("MLOD {mlod} is finer than the tile"));
+        }
+        if typical {
+            let model = library.typical.get(&key);
+            self.check_library(model, &key);
+            if model.is_some_and(|m| !m.levels.contains_key(&mlod)) {
+                self.add(4, format!("the model {key} has no level of LOD {mlod}"));
+            }
+            // A feature among the geospecific ones is not held against the tiles of models.
+            return (*self.layer == GEOTYPICAL).then_some((key, mlod));
         }
         let Ok(tile) = Tile::containing(self.point.y, self.point.x, mlod) else { return None };
         if !models.levels.contains_key(&(tile, key.clone())) {
@@ -228,6 +295,14 @@ impl Row<'_> {
                 .map(|t| (t, key.clone())),
         );
         Some((key, mlod))
+    }
+
+    /// Rules 1 and 8 for a model of a library.
+    fn check_library(&mut self, model: Option<&LibraryModel>, key: &str) {
+        match model {
+            Some(model) if model.has_geometry => self.check_sizes(model.size()),
+            _ => self.add(1, format!("the model {key} is not in the library")),
+        }
     }
 
     fn check_sizes(&mut self, size: Size) {
@@ -274,7 +349,7 @@ fn check_repeats(
         for lod in coarsest..=23 {
             let Ok(tile) = Tile::containing(latitude, longitude, lod) else { continue };
             let best = levels.range(..=lod).next_back().map(|(l, _)| *l);
-            let path = names::path(tile, GS_FEATURE, POINTS, "shp");
+            let path = names::path(tile, GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "shp");
             match mlods.get(&lod) {
                 None if tiles.contains(&tile) || levels.contains_key(&lod) => {
                     findings.add(4, &path, format!("the feature of {key} should stand here"))
@@ -288,28 +363,30 @@ fn check_repeats(
         if let Some(early) = mlods.keys().find(|l| **l < coarsest)
             && let Ok(tile) = Tile::containing(latitude, longitude, *early)
         {
-            let path = names::path(tile, GS_FEATURE, POINTS, "shp");
+            let path = names::path(tile, GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "shp");
             findings.add(4, &path, format!("{key} stands here, but its coarsest level is of LOD {coarsest}"));
         }
-        let mut coarser: Option<f64> = None;
-        for (lod, facts) in &levels {
-            let limit = lod::max_vertices((lod - coarsest).unsigned_abs().into());
-            if facts.vertices > limit {
-                findings.add(5, &facts.path, format!("{key} has {} vertices, this LOD takes {limit}", facts.vertices));
+        let steps = levels.iter().map(|(lod, facts)| ((lod - coarsest).unsigned_abs().into(), *facts));
+        flt::check_levels(key, steps, findings);
+        flt::check_centre(finest_facts, key, findings);
+    }
+}
+
+/// Rule 4 for features of library models: a finer tile that is there repeats what the coarser one shows.
+fn check_inherited(
+    layer: &Layer,
+    rows: &BTreeMap<Placed, BTreeMap<i8, i8>>,
+    tiles: &BTreeSet<Tile>,
+    findings: &mut Findings,
+) {
+    for ((_, x, y, key), shown) in rows {
+        let first = shown.keys().next().copied().unwrap_or(23);
+        for lod in first..=23 {
+            let Ok(tile) = Tile::containing(f64::from_bits(*y), f64::from_bits(*x), lod) else { continue };
+            if tiles.contains(&tile) && !shown.contains_key(&lod) {
+                let path = names::path(tile, layer.dataset, layer.points(), "shp");
+                findings.add(4, &path, format!("the feature of {key} should stand here"));
             }
-            if coarser.is_some_and(|c| facts.significant_size >= c) {
-                findings.add(
-                    5,
-                    &facts.path,
-                    format!("{key}: the significant size does not decrease from the coarser level"),
-                );
-            }
-            coarser = Some(facts.significant_size);
-        }
-        if finest_facts.centre.iter().any(|c| c.abs() > 1e-3) {
-            let [cx, cy] = finest_facts.centre;
-            let text = format!("{key}: the centre of the bounding rectangle is ({cx:.4}, {cy:.4}) m, not the origin");
-            findings.add(7, &finest_facts.path, text);
         }
     }
 }

@@ -4,7 +4,9 @@
 //! elements and values that the schemas demand.
 
 mod features;
+mod flt;
 mod geometry;
+mod library;
 mod metadata;
 mod paths;
 mod report;
@@ -16,7 +18,7 @@ use crate::Result;
 
 /// Something in a store that breaks a rule.
 ///
-/// Rules: 1 every feature's model and descriptor exist, and every model has its feature; 2 textures exist with their mips,
+/// Rules: 1 every feature's model and descriptor exist, and every geospecific model has its feature; 2 textures exist with their mips,
 /// powers of two, SGI; 3 the feature pyramid is complete, tiles within their point limit; 4 MLOD agrees with the tile;
 /// 5 significant sizes and vertex counts agree with the LOD; 6 OpenFlight structure, header, zone and bounding box; 7 origin and
 /// ground; 8 feature sizes match the geometry, 0 ≤ AO1 < 360; 9 material indices resolve; 10 archives; 11 names and
@@ -57,7 +59,8 @@ pub fn check(store: &dyn ListableStore) -> Result<Vec<Finding>> {
     let files = paths::check(&paths, &mut findings);
     metadata::check(store, &paths, &mut findings)?;
     let models = geometry::check(store, &files, &mut findings)?;
-    features::check(store, &files, &models, &mut findings)?;
+    let library = library::check(store, &paths, &mut findings)?;
+    features::check(store, &files, &models, &library, &mut findings)?;
     let mut found = findings.0;
     found.sort_by(|a, b| (&a.path, a.rule, &a.text).cmp(&(&b.path, b.rule, &b.text)));
     found.dedup();

@@ -39,17 +39,21 @@ struct Rule {
     about: (fn(&str) -> bool, &'static str),
 }
 
-const FEATURES: (fn(&str) -> bool, &str) = (|p| p.contains("/100_GSFeature/"), "no GSFeature tiles");
-const MODELS: (fn(&str) -> bool, &str) = (|p| p.contains("/300_GSModelGeometry/"), "no GSModelGeometry archives");
-const EITHER: (fn(&str) -> bool, &str) = (|p| FEATURES.0(p) || MODELS.0(p), "no geospecific models");
+const FEATURES: (fn(&str) -> bool, &str) =
+    (|p| p.contains("/100_GSFeature/") || p.contains("/101_GTFeature/"), "no GSFeature and no GTFeature tiles");
+const MODELS: (fn(&str) -> bool, &str) = (
+    |p| ["/300_GSModelGeometry/", "/500_GTModelGeometry/", "/600_MModelGeometry/"].iter().any(|d| p.contains(d)),
+    "no geometry of models",
+);
+const EITHER: (fn(&str) -> bool, &str) = (|p| FEATURES.0(p) || MODELS.0(p), "no models");
 const ZIPS: (fn(&str) -> bool, &str) = (|p| p.ends_with(".zip"), "no archives");
 const ALL: (fn(&str) -> bool, &str) = (|_| true, "no files");
 
 const RULES: [Rule; 12] = [
     Rule {
         number: 1,
-        title: "every feature has its model and descriptor, every model its feature",
-        source: "Vol. 1 Req 68, 129; Vol. 1 §5.8.1",
+        title: "every feature has its model and descriptor, every geospecific model its feature",
+        source: "Vol. 1 Req 45-56, 68, 129; Vol. 1 §5.8.1",
         about: EITHER,
     },
     Rule {

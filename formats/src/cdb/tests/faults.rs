@@ -1,8 +1,6 @@
 //! Faults planted in a sound store are found.
 
 use super::super::dbf::{Table, Value};
-use super::super::features::{CLASSES, POINTS};
-use super::super::names::GS_FEATURE;
 use super::*;
 
 #[test]
@@ -17,14 +15,14 @@ fn planted_faults_are_found() {
         check(&store).unwrap().iter().map(|f| f.rule).collect()
     };
     let remove = |file: String| rules(&|s: &mut Memory| drop(s.files.remove(&file)));
-    let shp = |lod| path(at(lod), GS_FEATURE, POINTS, "shp");
+    let shp = |lod| path(at(lod), GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "shp");
     let zip = |dataset, lod| path(at(lod), dataset, (1, 1), "zip");
     assert!(remove(zip(GS_MODEL_GEOMETRY, 5)).contains(&1));
     assert!(remove(zip(names::GS_MODEL_DESCRIPTOR, 5)).contains(&1));
     assert!(remove(zip(GS_MODEL_TEXTURE, 5)).contains(&2));
     assert!(remove(zip(GS_MODEL_TEXTURE, 1)).contains(&2), "the last mip");
     assert!(remove(shp(-3)).contains(&3));
-    assert!(remove(path(at(2), GS_FEATURE, CLASSES, "dbf")).contains(&3));
+    assert!(remove(path(at(2), GEOSPECIFIC.dataset, GEOSPECIFIC.classes(), "dbf")).contains(&3));
     assert!(remove(shp(7)).contains(&4), "a level whose feature tile is missing");
     assert!(remove("Metadata/Version.xml".into()).contains(&12));
     assert!(remove("Metadata/Schema/Lights.xsd".into()).contains(&12));
@@ -32,7 +30,7 @@ fn planted_faults_are_found() {
 
     let set = |lod, column: &str, value: Value| {
         rules(&|s: &mut Memory| {
-            let file = path(at(lod), GS_FEATURE, POINTS, "dbf");
+            let file = path(at(lod), GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "dbf");
             let mut table = Table::read(&s.files[&file]).unwrap();
             let c = table.column(column).unwrap();
             table.set(0, c, &value).unwrap();

@@ -1,8 +1,6 @@
 //! Stores that others wrote.
 
 use super::super::dbf::{Column, Table, Value};
-use super::super::features::{CLASSES, POINTS};
-use super::super::names::GS_FEATURE;
 use super::super::shapefile;
 use super::*;
 
@@ -37,16 +35,16 @@ fn foreign(latitude: f64, longitude: f64, finest: i8) -> Memory {
         }
         let (shp, shx) = shapefile::write(&points);
         for (selector, extension, bytes) in [
-            (POINTS, "shp", shp),
-            (POINTS, "shx", shx),
-            (POINTS, "dbf", instances.write().unwrap()),
-            (CLASSES, "dbf", classes.write().unwrap()),
-            ((1, 16), "dbf", vec![9; 40]),
+            (GEOSPECIFIC.points(), "shp", shp),
+            (GEOSPECIFIC.points(), "shx", shx),
+            (GEOSPECIFIC.points(), "dbf", instances.write().unwrap()),
+            (GEOSPECIFIC.classes(), "dbf", classes.write().unwrap()),
+            (GEOSPECIFIC.extended(), "dbf", vec![9; 40]),
         ] {
-            store.files.insert(path(tile, GS_FEATURE, selector, extension), bytes);
+            store.files.insert(path(tile, GEOSPECIFIC.dataset, selector, extension), bytes);
         }
     }
-    store.files.insert("Metadata/Version.xml".into(), metadata::version_xml("CUI", "theirs").into_bytes());
+    store.files.insert("Metadata/Version.xml".into(), metadata::version_xml("CUI", "theirs", None).into_bytes());
     store
 }
 
@@ -70,12 +68,17 @@ fn foreign_features_and_columns_are_kept() {
         assert_eq!((f.number(1, "SCALX"), f.text(1, "FACC").as_deref()), (Some(1.0), Some("UA005")));
         assert_eq!(f.text(1, "MODL").as_deref(), Some(added.model_name.as_str()));
         assert_eq!(f.instances.number(1, "MLOD"), Some(f64::from(lod)));
-        let extended = path(Tile::containing(latitude, longitude, lod).unwrap(), GS_FEATURE, (1, 16), "dbf");
+        let extended = path(
+            Tile::containing(latitude, longitude, lod).unwrap(),
+            GEOSPECIFIC.dataset,
+            GEOSPECIFIC.extended(),
+            "dbf",
+        );
         assert_eq!(store.files[&extended], vec![9; 40], "extended attributes go with the features");
     }
     for lod in -10..=3 {
         let tile = Tile::containing(latitude, longitude, lod).unwrap();
-        let shp = path(tile, GS_FEATURE, POINTS, "shp");
+        let shp = path(tile, GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "shp");
         assert_eq!(store.files[&shp], before.files[&shp], "tiles above the model stay");
     }
 }

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use super::archive::Archive;
+use super::attributes::GEOSPECIFIC;
 use super::features::FeatureTile;
 use super::geocell::Tile;
 use super::names::{GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE, VECTOR_MATERIAL, path};
@@ -13,7 +14,9 @@ use crate::{Image, Mesh};
 
 mod faults;
 mod foreign;
+mod libraries;
 mod refusals;
+mod versions;
 
 const DATE: (u16, u8, u8) = (2026, 5, 4);
 
@@ -47,11 +50,13 @@ fn texture(side: u32) -> Image {
 }
 
 /// A car of four levels: 4.9 m across, so LOD 4 to 7; textures of 128 texels a side, 4.5 cm a texel, so LOD 8 and coarser.
-fn car(name: &str, latitude: f64, longitude: f64) -> GsModel {
+fn car(name: &str, latitude: f64, longitude: f64) -> Model {
     let level = |size| Level { mesh: block(1.8, 4.2, 1.5), significant_size: size, texture: texture(128) };
-    GsModel {
+    Model {
+        kind: Kind::Geospecific,
         name: name.into(),
         facc: "UA005".into(),
+        material: Material::assumed("UA005"),
         fsc: 0,
         latitude,
         longitude,
@@ -65,13 +70,13 @@ fn car(name: &str, latitude: f64, longitude: f64) -> GsModel {
     }
 }
 
-fn add_to(store: &mut Memory, model: &GsModel) -> Added {
+fn add_to(store: &mut Memory, model: &Model) -> Added {
     let added = add_model(store, model).unwrap();
     store.write(added.files.clone());
     added
 }
 
-fn store_with(models: &[GsModel]) -> Memory {
+fn store_with(models: &[Model]) -> Memory {
     let mut store = Memory::default();
     models.iter().for_each(|m| drop(add_to(&mut store, m)));
     store
@@ -84,7 +89,7 @@ fn assert_sound(store: &Memory) {
 
 fn features(store: &Memory, latitude: f64, longitude: f64, lod: i8) -> FeatureTile {
     let tile = Tile::containing(latitude, longitude, lod).unwrap();
-    FeatureTile::read(store, tile, DATE).unwrap().unwrap()
+    FeatureTile::read(store, &GEOSPECIFIC, tile, DATE).unwrap().unwrap()
 }
 
 #[test]
@@ -211,6 +216,7 @@ fn a_second_model_leaves_the_first_as_it_was() {
     for (latitude, longitude) in [(34.5524, -118.4713), (34.5523, -118.46), (-33.8568, 151.2153)] {
         let mut other = car("Truck", latitude, longitude);
         other.facc = "AL015".into();
+        other.material = Material::assumed("AL015");
         let mut store = first.clone();
         let added = add_to(&mut store, &other);
         assert_sound(&store);
@@ -244,6 +250,7 @@ fn a_second_model_leaves_the_first_as_it_was() {
 fn materials_of_two_models_keep_their_indices() {
     let mut house = car("House", 34.5524, -118.4713);
     house.facc = "AL015".into();
+    house.material = Material::assumed("AL015");
     let mut store = store_with(&[car("OrbVan", 34.5523, -118.4712), house]);
     let f = features(&store, 34.5523, -118.4712, 7);
     assert_eq!((f.instances.number(0, "CMIX"), f.instances.number(1, "CMIX")), (Some(1.0), Some(2.0)));
@@ -308,7 +315,7 @@ fn near_a_pole_fine_tiles_are_too_narrow() {
 }
 
 /// Adds levels of other LODs at one place: a big model coarse, a small one fine.
-fn sized(name: &str, latitude: f64, longitude: f64, scale: f64) -> GsModel {
+fn sized(name: &str, latitude: f64, longitude: f64, scale: f64) -> Model {
     let mut model = car(name, latitude, longitude);
     for level in &mut model.levels {
         level.mesh.positions.iter_mut().flatten().for_each(|x| *x *= scale);
@@ -361,7 +368,7 @@ impl Store for Counting<'_> {
 
 #[test]
 fn only_the_model_s_own_tiles_are_read() {
-    let far: Vec<GsModel> = (0..20).map(|i| car("Far", 34.01 + 0.04 * f64::from(i), -118.99)).collect();
+    let far: Vec<Model> = (0..20).map(|i| car("Far", 34.01 + 0.04 * f64::from(i), -118.99)).collect();
     let mut store = store_with(&far);
     let here = car("Here", 34.5523, -118.4712);
     let counting = Counting(&store, RefCell::default());

@@ -1,8 +1,6 @@
 //! What is refused: models, stores, full tiles.
 
-use super::super::features::POINTS;
 use super::super::metadata::VERSION_XML;
-use super::super::names::GS_FEATURE;
 use super::*;
 
 #[test]
@@ -10,8 +8,8 @@ fn what_cannot_be_kept_is_refused() {
     let (latitude, longitude) = (34.5523, -118.4712);
     let good = store_with(&[car("Van", latitude, longitude)]);
     let tile = Tile::containing(latitude, longitude, 6).unwrap();
-    let shp = path(tile, GS_FEATURE, POINTS, "shp");
-    let dbf = path(tile, GS_FEATURE, POINTS, "dbf");
+    let shp = path(tile, GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "shp");
+    let dbf = path(tile, GEOSPECIFIC.dataset, GEOSPECIFIC.points(), "dbf");
     let zip = path(tile, GS_MODEL_GEOMETRY, (1, 1), "zip");
     let vcmt = path(Tile::containing(latitude, longitude, 0).unwrap(), VECTOR_MATERIAL, (1, 1), "xml");
     let polygon = {
@@ -44,7 +42,7 @@ fn what_cannot_be_kept_is_refused() {
 #[test]
 fn models_that_break_a_rule_are_refused() {
     let good = car("Van", 34.5523, -118.4712);
-    type Fault = (fn(&mut GsModel), &'static str);
+    type Fault = (fn(&mut Model), &'static str);
     let faults: [Fault; 15] = [
         (|m| m.facc = "car".into(), "feature code"),
         (|m| m.fsc = 1000, "feature code"),

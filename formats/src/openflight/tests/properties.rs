@@ -48,6 +48,7 @@ fn any_model() -> impl Strategy<Value = Model> {
                 zone_comment: comment,
                 textures: (0..3).map(|i| format!("t/{i}.rgb")).collect(),
                 levels,
+                points: vec![],
             }
         })
         .prop_filter("a level", |m| !m.levels.is_empty())
