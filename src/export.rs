@@ -12,7 +12,7 @@ use orb_formats::{File, Image, Label, Place, cdb, collada, kmz, openflight, sgi}
 
 use crate::audit::{Marking, inband};
 use crate::geo::Placement;
-use crate::mesh::{self, Level};
+use crate::mesh::{self, Details, Level};
 use crate::models::scene::Subject;
 use crate::pipeline::{Fitted, Reconstruction};
 use crate::preview::{self, Tile};
@@ -28,6 +28,7 @@ pub struct PlacedLevel {
     pub mesh: orb_formats::Mesh,
     /// Sides are powers of two.
     pub texture: RgbImage,
+    pub details: Details,
     /// Largest distance to the surface that the levels come from.
     pub error: f64,
     /// Largest distance to the next coarser level; for the coarsest, its size.
@@ -73,6 +74,7 @@ impl ToMetres {
         let placed = |l: &Level| PlacedLevel {
             mesh: self.mesh(&l.mesh),
             texture: l.texture.clone(),
+            details: l.details.clone(),
             error: f64::from(l.error * self.scale),
             significant_size: f64::from(l.error_to_coarser * self.scale),
         };

@@ -45,6 +45,9 @@ pub struct Settings {
     pub triangles: Option<usize>,
     /// Width and height of the finest level's texture: a power of two.
     pub texture: u32,
+    /// Whether every level gets a normal map, and an ambient occlusion map.
+    pub normal_map: bool,
+    pub occlusion: bool,
     /// How the optimisation is kept in a file, and what it goes on from.
     pub kept: Kept,
 }
@@ -132,6 +135,8 @@ pub fn reconstruct(
     };
     let options = mesh::Options {
         levels: settings.levels,
+        normal_map: settings.normal_map,
+        occlusion: settings.occlusion,
         background: GREY,
         ..mesh::Options::sized(settings.triangles, settings.texture)
     };

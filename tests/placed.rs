@@ -38,7 +38,16 @@ fn solid() -> Level {
         }
     }
     let texture = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([(x * 30) as u8, (y * 30) as u8, 90]));
-    Level { mesh, texture, error: 0.0, mean_error: 0.0, error_to_coarser: 1.2, seen: 1.0, mirrored: 0.0 }
+    Level {
+        mesh,
+        texture,
+        details: Default::default(),
+        error: 0.0,
+        mean_error: 0.0,
+        error_to_coarser: 1.2,
+        seen: 1.0,
+        mirrored: 0.0,
+    }
 }
 
 /// The eight corners in the subject frame, metres: the origin lies under the middle of the box.

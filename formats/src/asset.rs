@@ -32,6 +32,10 @@ pub struct Material {
     pub base_color: [f32; 4],
     /// Index into [`Asset::images`].
     pub image: Option<usize>,
+    /// Index of an image of normals: tangent space, +X right and +Y up in the image, −1..1 as 0..1 of linear RGB.
+    pub normal_image: Option<usize>,
+    /// Index of an image whose red says, linearly, how much light from around arrives.
+    pub occlusion_image: Option<usize>,
     pub metallic: f32,
     pub roughness: f32,
     pub double_sided: bool,
@@ -44,6 +48,8 @@ impl Default for Material {
             name: String::new(),
             base_color: [1.0; 4],
             image: None,
+            normal_image: None,
+            occlusion_image: None,
             metallic: 0.0,
             roughness: 1.0,
             double_sided: false,
@@ -90,7 +96,13 @@ pub(crate) mod tests {
     }
 
     pub fn asset() -> Asset {
-        let textured = Material { name: "photo".into(), image: Some(0), ..Material::default() };
+        let textured = Material {
+            name: "photo".into(),
+            image: Some(0),
+            normal_image: Some(1),
+            occlusion_image: Some(2),
+            ..Material::default()
+        };
         let plain = Material { name: "plain".into(), base_color: [0.5, 0.25, 1.0, 1.0], ..Material::default() };
         let mut bare = square();
         bare.uvs.fill([0.0, 1.0]); // what a part without texture reads back
@@ -99,7 +111,7 @@ pub(crate) mod tests {
             name: "gate".into(),
             parts: vec![Part { mesh: square(), material: Some(0) }, Part { mesh: bare, material: Some(1) }],
             materials: vec![textured, plain],
-            images: vec![png()],
+            images: vec![png(); 3],
             splats: None,
             label: label(),
         }

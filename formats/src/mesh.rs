@@ -54,6 +54,44 @@ impl Mesh {
         }
         Ok(())
     }
+
+    /// Where u grows, at right angles to each vertex's normal, length 1; then the sign that makes cross(normal, tangent)
+    /// point where v grows. The area-weighted mean of the triangles around the vertex.
+    pub fn tangents(&self) -> Vec<[f32; 4]> {
+        let mut sums = vec![[[0.0f64; 3]; 2]; self.positions.len()];
+        for t in &self.triangles {
+            let [a, b, c] = t.map(|v| self.positions[v as usize]);
+            let [p, q, r] = t.map(|v| self.uvs[v as usize].map(f64::from));
+            let (e, f): ([f64; 3], [f64; 3]) =
+                (std::array::from_fn(|i| b[i] - a[i]), std::array::from_fn(|i| c[i] - a[i]));
+            let (du, dv) = ([q[0] - p[0], r[0] - p[0]], [q[1] - p[1], r[1] - p[1]]);
+            let turned = (du[0] * dv[1] - du[1] * dv[0]).signum();
+            // The gradients of position by u and v, times the triangle's area in the texture.
+            let by_u: [f64; 3] = std::array::from_fn(|i| turned * (e[i] * dv[1] - f[i] * dv[0]));
+            let by_v: [f64; 3] = std::array::from_fn(|i| turned * (f[i] * du[0] - e[i] * du[1]));
+            let area = dot(face_normal([a, b, c]), face_normal([a, b, c])).sqrt();
+            for v in t {
+                for (sum, by) in sums[*v as usize].iter_mut().zip([by_u, by_v]) {
+                    let along = unit(by);
+                    if dot(by, by) > 0.0 {
+                        *sum = std::array::from_fn(|i| sum[i] + area * f64::from(along[i]));
+                    }
+                }
+            }
+        }
+        let one = |([by_u, by_v], normal): (&[[f64; 3]; 2], &[f32; 3])| {
+            let n = normal.map(f64::from);
+            let flat = |v: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| v[i] - dot(v, n) * n[i]) };
+            let mut along = flat(*by_u);
+            if dot(along, along) < 1e-24 {
+                along = flat(if n[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
+            }
+            let sign = if dot(cross(n, along), *by_v) < 0.0 { -1.0 } else { 1.0 };
+            let [x, y, z] = unit(along);
+            [x, y, z, sign]
+        };
+        sums.iter().zip(&self.normals).map(one).collect()
+    }
 }
 
 /// The area-weighted mean of the triangles around each vertex, length 1; up where there is no direction.
@@ -100,6 +138,23 @@ mod tests {
             uvs: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
             triangles: vec![[0, 1, 2]],
         }
+    }
+
+    #[test]
+    fn tangents_point_where_u_grows_and_their_sign_where_v_does() {
+        let flat = Mesh {
+            positions: vec![[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            uvs: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            triangles: vec![[0, 1, 2]],
+        };
+        assert_eq!(flat.tangents(), [[1.0, 0.0, 0.0, 1.0]; 3]);
+        // u and v exchanged: mirrored in the texture.
+        let mirrored = Mesh { uvs: vec![[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]], ..flat.clone() };
+        assert_eq!(mirrored.tangents(), [[0.0, 1.0, 0.0, -1.0]; 3]);
+        // No area in the texture: some direction along the surface.
+        let none = Mesh { uvs: vec![[0.5; 2]; 3], ..flat };
+        assert!(none.tangents().iter().all(|t| t[2] == 0.0 && (t[0].hypot(t[1]) - 1.0).abs() < 1e-6));
     }
 
     #[test]

@@ -43,10 +43,16 @@ fn asset(long: bool) -> Asset {
         name: "column".into(),
         parts: vec![Part { mesh: column(long), material: Some(0) }, Part { mesh: plain, material: Some(1) }],
         materials: vec![
-            Material { name: "photo".into(), image: Some(0), ..Material::default() },
+            Material {
+                name: "photo".into(),
+                image: Some(0),
+                normal_image: Some(1),
+                occlusion_image: Some(2),
+                ..Material::default()
+            },
             Material { name: "red".into(), base_color: [1.0, 0.1, 0.1, 1.0], metallic: 0.5, ..Material::default() },
         ],
-        images: vec![EncodedImage { media_type: "image/png".into(), bytes: PNG.to_vec() }],
+        images: vec![EncodedImage { media_type: "image/png".into(), bytes: PNG.to_vec() }; 3],
         splats: None,
         label: Label { marking: "CLASSIFICATION: UNCLASSIFIED".into(), place: Some(place) },
     }

@@ -130,7 +130,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let recentred = !args.keep_origin && !imported.is_orbs;
     let has_levels = args.format.iter().any(|f| f.has_levels());
     if has_levels || (imported.levels.is_empty() && args.format.contains(&Format::Usdz)) {
-        imported = imported.with_levels(args.lods.into(), &bar)?;
+        imported = imported.with_levels(Format::levels_made(&args.format, args.lods.into()), &bar)?;
     }
     // The surface, where there is one, knows better than the splats' centres what stands on the ground.
     let imported = if recentred { imported.recentred() } else { imported };
@@ -146,6 +146,8 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     };
     let content = Content {
         levels: &imported.levels,
+        // A model is a level itself, beside the coarser ones.
+        shown: usize::from(args.lods) + usize::from(imported.gaussians.is_none()),
         gaussians: imported.gaussians.as_ref(),
         placement: &placement,
         labels: &labels,

@@ -37,6 +37,13 @@ pub enum Format {
 }
 
 impl Format {
+    /// How many levels to make where `asked` for so many: a CDB model's coarsest level has at most 128 vertices, each finer
+    /// one at most four times as many, and clients look for the next finer level at the next LOD (OGC CDB 1.x Volume 6, table
+    /// 6-25), so that a store gets all four.
+    pub fn levels_made(formats: &[Format], asked: usize) -> usize {
+        if formats.contains(&Format::Cdb) { asked.max(4) } else { asked }
+    }
+
     /// Formats that hold a surface in levels of detail.
     pub fn has_levels(self) -> bool {
         matches!(self, Format::Cdb | Format::Flt | Format::Glb | Format::Tiles3d)
@@ -206,6 +213,8 @@ impl WriteArgs {
 pub struct Content<'a> {
     /// Finest first; needed where a format has a surface.
     pub levels: &'a [PlacedLevel],
+    /// How many of them are written, but into a CDB store, which gets all ([`Format::levels_made`]).
+    pub shown: usize,
     pub gaussians: Option<&'a Gaussians>,
     pub placement: &'a Placement,
     pub labels: &'a Labels,
@@ -228,7 +237,8 @@ pub fn publish(
     let mut once = formats.to_vec();
     once.sort_unstable();
     once.dedup();
-    let Content { levels, placement, labels, catalogue, .. } = *content;
+    let Content { placement, labels, catalogue, .. } = *content;
+    let levels = &content.levels[..content.levels.len().min(content.shown.max(1))];
     for format in once {
         let gaussians = || {
             content.gaussians.ok_or_else(|| {
@@ -239,7 +249,7 @@ pub fn publish(
         };
         let (role, files): (&str, Vec<File>) = match format {
             Format::Cdb => {
-                let model = export::cdb_model(levels, placement, labels, catalogue);
+                let model = export::cdb_model(content.levels, placement, labels, catalogue);
                 model_name = Some(write_cdb(&model, &labels.stem, std::mem::take(&mut target), publication)?);
                 continue;
             }

@@ -127,7 +127,7 @@ pub struct GeoArgs {
     #[arg(long, value_enum, default_value = "auto")]
     pub symmetry: Symmetry,
 
-    /// Levels of detail, 1 to 4.
+    /// Levels of detail, 1 to 4. A CDB store gets four whatever is said here: its coarsest must have 128 vertices at most.
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
     pub lods: u8,
 
@@ -138,6 +138,14 @@ pub struct GeoArgs {
     /// Width and height of the finest level's texture: 256, 512, 1024 or 2048; each coarser level has half.
     #[arg(long, value_name = "PIXELS", default_value = "1024", value_parser = texture_size)]
     pub texture: u32,
+
+    /// Give GLB, USDZ and 3D Tiles a normal map of the surface before simplification.
+    #[arg(long)]
+    pub normal_map: bool,
+
+    /// Give GLB, USDZ and 3D Tiles an ambient occlusion map.
+    #[arg(long)]
+    pub ao: bool,
 
     /// Also publish what the stages handed on: mask.png and network.ply, the Gaussians before the optimisation.
     #[arg(long)]
@@ -273,9 +281,11 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         optimise_within: limits.map(|l| l.optimise),
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
-        levels: args.lods.into(),
+        levels: Format::levels_made(&args.format, args.lods.into()),
         triangles: args.triangles.map(|t| t as usize),
         texture: args.texture,
+        normal_map: args.normal_map,
+        occlusion: args.ao,
         symmetry: args.symmetry.into(),
         kept: args.kept.open()?,
     };
@@ -309,6 +319,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let gaussians = to_metres.gaussians(&done.gaussians);
     let content = Content {
         levels: &levels,
+        shown: args.lods.into(),
         gaussians: Some(&gaussians),
         placement,
         labels: &labels,
@@ -414,7 +425,8 @@ fn params(
         ("seed".into(), text(args.seed.to_string())),
         ("formats".into(), text(Format::names(&args.format))),
         ("device".into(), text(done.report.device.clone())),
-        ("lods".into(), Param::Int(settings.levels as i64)),
+        ("lods".into(), Param::Int(args.lods.into())),
+        ("levels_made".into(), Param::Int(done.model.levels.len() as i64)),
         ("iterations_planned".into(), Param::Int(settings.iterations.into())),
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
         ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),

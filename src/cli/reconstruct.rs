@@ -83,6 +83,8 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         levels: 1,
         triangles: None,
         texture: 1024,
+        normal_map: false,
+        occlusion: false,
         symmetry: Use::Auto,
         kept,
     };

@@ -123,7 +123,7 @@ mod tests {
             }
         }
         let texture = RgbImage::from_fn(2, 2, |x, _| image::Rgb(if x == 0 { [220, 20, 20] } else { [20, 20, 220] }));
-        PlacedLevel { mesh, texture, error: 0.0, significant_size: 14f64.sqrt() }
+        PlacedLevel { mesh, texture, details: mesh::Details::default(), error: 0.0, significant_size: 14f64.sqrt() }
     }
 
     #[test]

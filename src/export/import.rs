@@ -107,7 +107,7 @@ fn level(asset: &Asset) -> Result<PlacedLevel> {
     let (mesh, texture) = atlas::merge(asset)?;
     let (low, high) = mesh.bounds().ok_or_else(|| Error::usage("model").found("no vertices"))?;
     let size = (0..3).map(|i| (high[i] - low[i]).powi(2)).sum::<f64>().sqrt();
-    Ok(PlacedLevel { mesh, texture, error: 0.0, significant_size: size })
+    Ok(PlacedLevel { mesh, texture, details: mesh::Details::default(), error: 0.0, significant_size: size })
 }
 
 fn placement(p: Place) -> Placement {

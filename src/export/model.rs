@@ -6,6 +6,7 @@ use orb_formats::{Asset, File, glb, usdz};
 
 use super::{Labels, PlacedLevel, format_error, label, marked_png};
 use crate::geo::{Enu, Placement};
+use crate::mesh::Details;
 use crate::{Error, Result};
 
 /// One file a level, the finest under the model's own name (`orb_formats::glb` says why).
@@ -88,12 +89,24 @@ fn to_earth(placement: &Placement) -> [f64; 16] {
 }
 
 fn asset(level: &PlacedLevel, placement: &Placement, labels: &Labels) -> Result<Asset> {
-    let png = marked_png(&level.texture.clone().into(), &labels.marking)?;
+    let mut images = Vec::new();
+    let mut add = |picture: image::DynamicImage| -> Result<usize> {
+        images.push(EncodedImage { media_type: "image/png".into(), bytes: marked_png(&picture, &labels.marking)? });
+        Ok(images.len() - 1)
+    };
+    let Details { normals, occlusion } = level.details.clone();
+    let material = Material {
+        name: labels.stem.clone(),
+        image: Some(add(level.texture.clone().into())?),
+        normal_image: normals.map(|n| add(n.into())).transpose()?,
+        occlusion_image: occlusion.map(|o| add(o.into())).transpose()?,
+        ..Material::default()
+    };
     Ok(Asset {
         name: labels.stem.clone(),
         parts: vec![Part { mesh: level.mesh.clone(), material: Some(0) }],
-        materials: vec![Material { name: labels.stem.clone(), image: Some(0), ..Material::default() }],
-        images: vec![EncodedImage { media_type: "image/png".into(), bytes: png }],
+        materials: vec![material],
+        images,
         splats: None,
         label: label(placement, labels),
     })
@@ -116,6 +129,10 @@ mod tests {
                 triangles: vec![[0, 1, 2]],
             },
             texture: RgbImage::from_pixel(2, 2, image::Rgb([9, 99, 199])),
+            details: Details {
+                normals: Some(RgbImage::from_pixel(2, 2, image::Rgb([128, 128, 255]))),
+                occlusion: Some(image::GrayImage::from_pixel(2, 2, image::Luma([200]))),
+            },
             error,
             significant_size: error,
         }
@@ -170,6 +187,8 @@ mod tests {
         for (a, b) in back.parts[0].mesh.positions.iter().flatten().zip(levels[1].mesh.positions.iter().flatten()) {
             assert!((a - b).abs() < 1e-6);
         }
+        let looks = &back.materials[0];
+        assert_eq!([looks.image, looks.normal_image, looks.occlusion_image], [Some(0), Some(1), Some(2)]);
         let package = usdz(&levels, &placement(), &labels()).unwrap();
         assert_eq!(usdz::read(&package.bytes).unwrap().parts[0].mesh.uvs, levels[0].mesh.uvs);
         assert_eq!(inband::mismatch(&package.path, &package.bytes, &Marking::CUI), None);

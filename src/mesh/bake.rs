@@ -5,7 +5,7 @@
 //! from the finest one's texture at the closest point of its surface, so that levels do not differ in colour.
 
 use super::color::{Linear, to_byte};
-use super::distance::{Bvh, barycentric};
+use super::distance::{Bvh, barycentric, barycentric_3d};
 use super::fill::{Surroundings, pad};
 use super::raster::visibility;
 use super::source::{Source, photo_source, rendered_source};
@@ -20,7 +20,10 @@ use rayon::prelude::*;
 
 /// One texel that a triangle covers.
 pub struct Texel {
-    index: u32,
+    pub index: u32,
+    pub triangle: u32,
+    /// Barycentric.
+    pub weights: [f32; 3],
     pub position: Vec3,
     /// Smooth normal.
     pub normal: Vec3,
@@ -51,7 +54,7 @@ impl Baked {
     }
 }
 
-fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
+pub fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
     let mut owner = vec![u32::MAX; size * size];
     let flat: Vec<[Vec2; 3]> =
         mesh.triangles.iter().map(|t| t.map(|i| texel_place(mesh.uvs[i as usize], size))).collect();
@@ -69,6 +72,8 @@ fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
             let face = cross(&mesh.positions, triangle).normalize_or_zero();
             Some(Texel {
                 index: i as u32,
+                triangle: owner[i],
+                weights: w,
                 position: mesh.positions[a] * w[0] + mesh.positions[b] * w[1] + mesh.positions[c] * w[2],
                 normal: normal.try_normalize().unwrap_or(face),
                 face,
@@ -161,11 +166,14 @@ fn with_photo(texels: &[Texel], around: &[[f32; 3]], source: &Source) -> Vec<([f
     const DARK: f32 = 0.02;
     /// The logarithm of half and double.
     const MOST: f32 = 0.7;
-    let ratio = |photo: f32, views: f32| ((photo + DARK) / (views + DARK)).ln().clamp(-MOST, MOST);
-    let ratios = Surroundings::new(
-        known.map(|((t, views), (photo, _))| (t.position, std::array::from_fn(|k| ratio(photo[k], views[k])))),
-        0.7,
-    );
+    /// So far one channel's may lie from the three's mean: further on, grey would turn into colours that are nowhere.
+    const TINT: f32 = 0.2;
+    let ratio = |photo: &[f32; 3], views: &[f32; 3]| {
+        let each: [f32; 3] = std::array::from_fn(|k| ((photo[k] + DARK) / (views[k] + DARK)).ln());
+        let mean = each.iter().sum::<f32>() / 3.0;
+        each.map(|r| mean.clamp(-MOST, MOST) + (r - mean).clamp(-TINT, TINT))
+    };
+    let ratios = Surroundings::new(known.map(|((t, views), (photo, _))| (t.position, ratio(photo, views))), 0.7);
     texels
         .par_iter()
         .zip(around)
@@ -214,17 +222,6 @@ pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked:
     let from: Vec<[f32; 2]> = sums.iter().map(|s| if s.2 > 0.0 { s.1.map(|v| v / s.2) } else { [-1.0; 2] }).collect();
     pad(&mut color, |i| from[i][0] >= 0.0, size);
     Baked { size, color, from }
-}
-
-fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
-    let n = (b - a).cross(c - a);
-    let area = n.length_squared();
-    if area <= 1e-30 {
-        return Vec3::X;
-    }
-    let v = (p - a).cross(c - a).dot(n) / area;
-    let w = (b - a).cross(p - a).dot(n) / area;
-    Vec3::new(1.0 - v - w, v, w)
 }
 
 fn bilinear(baked: &Baked, uv: Vec2) -> ([f32; 3], [f32; 2]) {

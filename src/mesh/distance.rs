@@ -157,6 +157,18 @@ pub fn barycentric(p: Vec2, [a, b, c]: [Vec2; 3]) -> Option<[f32; 3]> {
     Some([1.0 - v - w, v, w])
 }
 
+/// Barycentric coordinates of a point in the plane of a triangle in space; the first corner where it has no area.
+pub fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
+    let n = (b - a).cross(c - a);
+    let area = n.length_squared();
+    if area <= 1e-30 {
+        return Vec3::X;
+    }
+    let v = (p - a).cross(c - a).dot(n) / area;
+    let w = (b - a).cross(p - a).dot(n) / area;
+    Vec3::new(1.0 - v - w, v, w)
+}
+
 /// Largest and mean distance from `points` to a mesh.
 pub fn farthest(points: &[Vec3], bvh: &Bvh) -> (f32, f32) {
     let distances: Vec<f32> = points.par_iter().map(|p| bvh.distance(*p)).collect();

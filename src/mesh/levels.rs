@@ -1,8 +1,10 @@
 //! All of it in order: volume, surface, levels.
 
 use super::bake::{bake, transfer};
+use super::detail::{Fine, details};
 use super::distance::{Bvh, farthest, samples};
 use super::extract::extract;
+use super::flatten::{Flattening, flatten};
 use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
@@ -46,14 +48,23 @@ pub(super) fn build(
             }
         });
     }
+    let fine = (options.normal_map || options.occlusion).then(|| Fine::new(&surface, options));
+    let mut extras = Vec::new();
+    for (mesh, &size) in meshes.iter().zip(sizes) {
+        progress.check()?;
+        extras.push(fine.as_ref().map(|f| details(mesh, size, f, options)).unwrap_or_default());
+    }
+    drop(fine);
     let errors = errors(&surface, &meshes, &bvhs);
     let levels = meshes
         .into_iter()
         .zip(textures)
         .zip(errors)
-        .map(|((mesh, (texture, [seen, mirrored])), ([error, mean_error], error_to_coarser))| Level {
+        .zip(extras)
+        .map(|(((mesh, (texture, [seen, mirrored])), ([error, mean_error], error_to_coarser)), details)| Level {
             mesh,
             texture,
+            details,
             error,
             mean_error,
             error_to_coarser,
@@ -115,6 +126,9 @@ fn closed_surface(solid: &Solid) -> Surface {
         stand_on(&mut surface, ground, 0.5 * voxel, voxel.max(noise.min(0.03 * (hi.z - lo.z))));
     }
     taubin(&mut surface, rounds, (0.7 * voxel).max(noise), solid.ground);
+    // The views' disagreement is also how wrong the surface may be: no vertex goes further than twice that.
+    let limit = 2.0 * noise.max(0.3 * voxel);
+    flatten(&mut surface, &Flattening { limit, ..Flattening::default() }, solid.ground);
     surface
 }
 

@@ -9,9 +9,11 @@
 pub mod bake;
 pub mod clean;
 pub mod color;
+pub mod detail;
 pub mod distance;
 pub mod extract;
 pub mod fill;
+pub mod flatten;
 pub mod fuse;
 pub mod levels;
 pub mod opacity;
@@ -31,7 +33,7 @@ use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::{Error, Result};
 use glam::{Vec2, Vec3};
-use image::RgbImage;
+use image::{GrayImage, RgbImage};
 
 pub use raster::raster;
 
@@ -83,6 +85,10 @@ pub struct Options {
     pub color_size: u32,
     /// What the renderer composites on, sRGB 0..1; taken out again at soft edges.
     pub background: [f32; 3],
+    /// Whether each level gets a tangent-space normal map of the surface before simplification.
+    pub normal_map: bool,
+    /// Whether each level gets an ambient occlusion map.
+    pub occlusion: bool,
 }
 
 impl Default for Options {
@@ -98,6 +104,8 @@ impl Default for Options {
             color_views: 32,
             color_size: 448,
             background: [0.5; 3],
+            normal_map: false,
+            occlusion: false,
         }
     }
 }
@@ -209,11 +217,21 @@ impl Mesh {
     }
 }
 
+/// Textures beside the colours, as large as they; `None` where nobody asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Details {
+    /// Tangent space (`orb_formats::Mesh::tangents`), +X right and +Y up in the image, −1..1 as 0..1.
+    pub normals: Option<RgbImage>,
+    /// The share of light from all around that arrives.
+    pub occlusion: Option<GrayImage>,
+}
+
 /// One level of detail.
 #[derive(Clone, Debug)]
 pub struct Level {
     pub mesh: Mesh,
     pub texture: RgbImage,
+    pub details: Details,
     /// Largest distance, either way, between this level and the surface before simplification; scene units.
     pub error: f32,
     /// Mean of both directions' mean distances between the same two; scene units.

@@ -143,9 +143,28 @@ pub fn boxed_with_mast(x: f32, y: f32, z: f32) -> Scene {
     })
 }
 
+/// A box with two arms at its side +x, which hold a thin upright bar before it, or nothing.
+pub fn boxed_with_arms(x: f32, y: f32, z: f32, bar: bool) -> Scene {
+    Scene::new(move |p| {
+        let arm = |at: f32| box_distance(p - Vec3::new(x + 0.1, 0.0, at), Vec3::new(0.1, 0.04, 0.03));
+        let held = box_distance(p - Vec3::new(x + 0.2, 0.0, 0.0), Vec3::new(0.015, 0.015, 1.6 * z));
+        let bare = box_distance(p, Vec3::new(x, y, z)).min(arm(0.7 * z)).min(arm(-0.7 * z));
+        if bar { bare.min(held) } else { bare }
+    })
+}
+
 /// 1.2 × 0.8, upright, facing y.
 pub fn plate(thickness: f32) -> Scene {
     Scene::new(move |p| box_distance(p, Vec3::new(0.6, thickness / 2.0, 0.4)))
+}
+
+/// Two upright plates 1.2 × 0.8 and 0.06 thick, facing each other over a gap along y.
+pub fn two_plates(gap: f32) -> Scene {
+    Scene::new(move |p| {
+        let plate =
+            |side: f32| box_distance(p - Vec3::new(0.0, side * (gap / 2.0 + 0.03), 0.0), Vec3::new(0.6, 0.03, 0.4));
+        plate(1.0).min(plate(-1.0))
+    })
 }
 
 pub fn two_spheres() -> Scene {

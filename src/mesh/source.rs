@@ -125,11 +125,7 @@ pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], line
 pub fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Source {
     let (w, h) = (mesh_seen.width, mesh_seen.height);
     let reach = (w / 170).max(1);
-    // Inside the mask by `reach` pixels or more: full trust; none at its edge.
-    let off: Vec<f32> = photo.mask.iter().map(|m| (1.0 - m).clamp(0.0, 1.0) + 1e-3).collect();
-    let inverse: Vec<f32> = off.iter().map(|m| 1.002 - m).map(|m| m.max(1e-3)).collect();
-    let eroded = nearest_around(&inverse, w, h, reach);
-    let trust = box_mean(&eroded, w, h, reach).iter().map(|m| ((m - 0.5) * 2.0).clamp(0.0, 1.0)).collect();
+    let trust = edge_trust(photo.mask, w, h, 2 * reach);
     let color = photo.color.iter().map(|c| c.map(|v| linear.of(v))).collect();
     Source {
         camera: photo.camera,
@@ -142,19 +138,59 @@ pub fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Sou
     }
 }
 
-fn box_mean(values: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
-    (0..width * height)
+/// Trust in each pixel of a cut-out: none at its edge, which is mixed with what is behind, full `reach` pixels inside it or,
+/// in parts narrower than that, on their middle line.
+fn edge_trust(mask: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
+    /// Pixels whose middle is so near the edge hold something of the background.
+    const MIXED: f32 = 0.75;
+    let off: Vec<f32> = mask.iter().map(|m| if *m >= 0.5 { 0.0 } else { 1.0 }).collect();
+    let around = |i: usize| {
+        let (x, y) = (i % width, i / width);
+        let columns = x.saturating_sub(reach)..(x + reach + 1).min(width);
+        let rows = y.saturating_sub(reach)..(y + reach + 1).min(height);
+        rows.flat_map(move |v| {
+            columns.clone().map(move |u| (v * width + u, (u.abs_diff(x) as f32).hypot(v.abs_diff(y) as f32)))
+        })
+    };
+    let to_edge: Vec<f32> = (0..mask.len())
         .into_par_iter()
         .map(|i| {
-            let (x, y) = (i % width, i / width);
-            let (mut sum, mut count) = (0.0, 0);
-            for y in y.saturating_sub(reach)..(y + reach + 1).min(height) {
-                for x in x.saturating_sub(reach)..(x + reach + 1).min(width) {
-                    sum += values[y * width + x];
-                    count += 1;
-                }
+            if off[i] > 0.0 {
+                0.0
+            } else {
+                around(i).filter(|(j, _)| off[*j] > 0.0).map(|(_, d)| d - 0.5).fold(reach as f32, f32::min)
             }
-            sum / count as f32
+        })
+        .collect();
+    (0..mask.len())
+        .into_par_iter()
+        .map(|i| {
+            if to_edge[i] <= MIXED {
+                return 0.0;
+            }
+            // As far from the edge as one gets without leaving the disc that reaches it.
+            let most = around(i).filter(|(_, d)| *d <= to_edge[i] + 1.5).map(|(j, _)| to_edge[j]).fold(0.0, f32::max);
+            ((to_edge[i] - MIXED) / (most.min(reach as f32) - MIXED).max(MIXED)).clamp(0.0, 1.0)
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bars_are_trusted_in_their_middle_and_edges_never() {
+        // 64 × 48: a bar four pixels wide, and a block.
+        let (w, h) = (64usize, 48usize);
+        let on = |x: usize| (8..12).contains(&x) || (24..56).contains(&x);
+        let mask: Vec<f32> = (0..w * h).map(|i| if on(i % w) { 1.0 } else { 0.0 }).collect();
+        let trust = edge_trust(&mask, w, h, 6);
+        let row: Vec<f32> = trust[24 * w..25 * w].to_vec();
+        assert!((0..w).filter(|x| !on(*x)).all(|x| row[x] == 0.0));
+        assert_eq!([row[8], row[11], row[24], row[55]], [0.0; 4]);
+        assert!(row[9] > 0.9 && row[10] > 0.9, "{row:?}");
+        // In the block it grows over the whole reach.
+        assert!(row[26] > 0.0 && row[26] < 0.5 && row[26] < row[28] && row[31] == 1.0 && row[40] == 1.0, "{row:?}");
+    }
 }

@@ -3,7 +3,7 @@
 //! Around the subject every view but the photo's is invented, and a bar whose depth they do not agree on is carved away by
 //! those that see past it. The photo's own silhouette does not lie: where a ray through it meets nothing solid, a tube is
 //! put back along the medial axis of what is missing (Blum 1967), as deep as it is wide, at the depth that the Gaussians
-//! have there.
+//! have there. So is a narrow part that the Gaussians' depth sets off from what is behind it, where the ray meets only that.
 
 use super::fuse::Volume;
 use super::{SUBJECT_RADIUS, View};
@@ -16,6 +16,8 @@ const THICKEST: f32 = 0.03;
 const BEHIND: f32 = 0.08;
 /// How firmly a pixel's own depth holds it, beside the firmness of neighbours: it gives way within about thirty pixels.
 const LOOSE: f32 = 1e-3;
+/// The same where the Gaussians' depth itself tells a part from what it stands before.
+const FIRM: f32 = 0.1;
 /// Of reweighting, and steps of conjugate gradients in each.
 const ROUNDS: usize = 5;
 const STEPS: usize = 300;
@@ -27,7 +29,7 @@ const MOST: f32 = 0.4;
 pub fn restore(volume: &mut Volume, view: &View, mask: &[f32]) -> usize {
     let sheet = Sheet::new(volume, view, mask);
     let shown = sheet.depth.iter().filter(|d| **d > 0.0).count();
-    let lost = (0..sheet.depth.len()).filter(|&i| sheet.lost(i)).count();
+    let lost = (0..sheet.depth.len()).filter(|&i| sheet.depth[i] > 0.0 && sheet.hit[i] <= 0.0).count();
     if lost as f32 > MOST * shown as f32 {
         return 0;
     }
@@ -51,6 +53,8 @@ struct Sheet<'a> {
     hit: Vec<f32>,
     /// Distance to the nearest pixel of something else, pixels; up to `reach`.
     room: Vec<f32>,
+    /// A narrow part, solid on neither side, before something solid that is not it.
+    before: Vec<bool>,
     reach: f32,
 }
 
@@ -63,9 +67,13 @@ impl<'a> Sheet<'a> {
         let depth: Vec<f32> = (0..width * height).map(|i| if shown(i) { view.depth[i] } else { 0.0 }).collect();
         let nearest = depth.iter().filter(|d| **d > 0.0).fold(f32::INFINITY, |a, b| a.min(*b));
         let reach = (THICKEST * camera.fx.max(camera.fy) / nearest.max(0.1)).clamp(1.0, 40.0);
-        let mut sheet = Sheet { view, width, height, depth, hit: Vec::new(), room: Vec::new(), reach };
+        let mut sheet =
+            Sheet { view, width, height, depth, hit: Vec::new(), room: Vec::new(), before: Vec::new(), reach };
         sheet.hit = (0..width * height).into_par_iter().map(|i| sheet.first_hit(volume, i)).collect();
-        sheet.room = (0..width * height).into_par_iter().map(|i| sheet.room_around(i)).collect();
+        let front: Vec<f32> = (0..width * height).into_par_iter().map(|i| sheet.room_around(i, BEHIND)).collect();
+        sheet.before = (0..width * height).into_par_iter().map(|i| sheet.stands_before(i, &front)).collect();
+        let apart = |i: usize| if sheet.before[i] { front[i] } else { sheet.room_around(i, f32::INFINITY) };
+        sheet.room = (0..width * height).into_par_iter().map(apart).collect();
         sheet
     }
 
@@ -87,9 +95,20 @@ impl<'a> Sheet<'a> {
         depths.find(|&z| volume.sample(self.place(i, z)) < 0.0).unwrap_or(0.0)
     }
 
-    /// On the subject, and nothing solid along the whole ray.
+    /// On the subject, and nothing solid along the whole ray, or only what the part stands before.
     fn lost(&self, i: usize) -> bool {
-        self.depth[i] > 0.0 && self.hit[i] <= 0.0
+        self.depth[i] > 0.0 && (self.hit[i] <= 0.0 || self.before[i])
+    }
+
+    /// Whether a pixel shows a part too narrow for a disc of `reach`, in `front` of what the volume has there. `front`: the
+    /// distance to the nearest pixel off the subject or behind.
+    fn stands_before(&self, i: usize, front: &[f32]) -> bool {
+        let (depth, hit) = (self.depth[i], self.hit[i]);
+        if depth <= 0.0 || hit <= 0.0 || hit < depth + BEHIND || front[i] >= self.reach {
+            return false;
+        }
+        let wide = |j: usize| front[j] >= self.reach - 0.5 && (self.depth[j] - depth).abs() < BEHIND;
+        !self.window(i, self.reach.ceil() as usize).any(wide)
     }
 
     /// Pixels of the square around one.
@@ -105,11 +124,14 @@ impl<'a> Sheet<'a> {
         at(j) - at(i)
     }
 
-    fn room_around(&self, i: usize) -> f32 {
+    /// Distance from a pixel to the nearest off the subject, or deeper by more than `behind`.
+    fn room_around(&self, i: usize, behind: f32) -> f32 {
         if self.depth[i] <= 0.0 {
             return 0.0;
         }
-        let off = self.window(i, self.reach.ceil() as usize).filter(|&j| self.depth[j] <= 0.0);
+        let off = self
+            .window(i, self.reach.ceil() as usize)
+            .filter(|&j| self.depth[j] <= 0.0 || self.depth[j] > self.depth[i] + behind);
         off.map(|j| self.offset(i, j).length() - 0.5).fold(self.reach, f32::min)
     }
 
@@ -132,7 +154,12 @@ impl<'a> Sheet<'a> {
             lost.par_iter().map(|&i| self.window(i, 1).filter_map(|j| lost.binary_search(&j).ok()).collect()).collect();
         let holds: Vec<Vec<f32>> = lost
             .par_iter()
-            .map(|&i| self.window(i, 2).filter(|&j| self.hit[j] > 0.0).map(|j| 1.0 / self.hit[j]).collect())
+            .map(|&i| {
+                // What a part stands before does not hold it.
+                let deepest = if self.before[i] { self.depth[i] + BEHIND } else { f32::INFINITY };
+                let solid = |j: &usize| self.hit[*j] > 0.0 && self.hit[*j] < deepest && !self.before[*j];
+                self.window(i, 2).filter(solid).map(|j| 1.0 / self.hit[j]).collect()
+            })
             .collect();
         let mut found = own.clone();
         for _ in 0..ROUNDS {
@@ -144,7 +171,8 @@ impl<'a> Sheet<'a> {
             let pulls: Vec<(f32, f32)> = (0..lost.len())
                 .into_par_iter()
                 .map(|k| {
-                    let own = std::iter::once((pull(k, own[k], LOOSE), own[k]));
+                    let firm = if self.before[lost[k]] { FIRM } else { LOOSE };
+                    let own = std::iter::once((pull(k, own[k], firm), own[k]));
                     let held = holds[k].iter().map(|&to| (pull(k, to, 0.5), to));
                     own.chain(held).fold((0.0, 0.0), |sum, (w, to)| (sum.0 + w, sum.1 + w * to))
                 })

@@ -112,6 +112,8 @@ pub struct Look {
     pub name: String,
     #[serde(default)]
     pub pbr_metallic_roughness: Pbr,
+    pub normal_texture: Option<Index>,
+    pub occlusion_texture: Option<Index>,
     #[serde(default)]
     pub double_sided: bool,
 }

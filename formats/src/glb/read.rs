@@ -97,19 +97,24 @@ fn add_splats(out: &mut Asset, read: Splats, here: &Transform) -> Result<()> {
 }
 
 fn materials(root: &Root) -> Result<Vec<Material>> {
-    let one = |look: &Look| {
-        let pbr = &look.pbr_metallic_roughness;
-        let image = match &pbr.base_color_texture {
+    let image = |texture: &Option<Index>| {
+        let source = match texture {
             None => None,
             Some(Index { index }) => root.textures.get(*index).ok_or_else(|| missing("texture", *index))?.source,
         };
-        if let Some(i) = image.filter(|&i| i >= root.images.len()) {
-            return Err(missing("image", i));
+        match source.filter(|&i| i >= root.images.len()) {
+            Some(i) => Err(missing("image", i)),
+            None => Ok(source),
         }
+    };
+    let one = |look: &Look| {
+        let pbr = &look.pbr_metallic_roughness;
         Ok(Material {
             name: look.name.clone(),
             base_color: pbr.base_color_factor.unwrap_or([1.0; 4]),
-            image,
+            image: image(&pbr.base_color_texture)?,
+            normal_image: image(&look.normal_texture)?,
+            occlusion_image: image(&look.occlusion_texture)?,
             metallic: pbr.metallic_factor.unwrap_or(1.0),
             roughness: pbr.roughness_factor.unwrap_or(1.0),
             double_sided: look.double_sided,

@@ -169,7 +169,7 @@ fn what_does_not_fit_is_refused() {
     let table: [(Change, &str); 8] = [
         (|a| a.parts.clear(), "a mesh or splats"),
         (|a| a.parts[0].material = Some(2), "names material"),
-        (|a| a.materials[0].image = Some(1), "names image 1 of 1"),
+        (|a| a.materials[0].image = Some(3), "names image 3 of 3"),
         (|a| a.images[0].media_type = "image/webp".into(), "image/webp"),
         (|a| a.materials[1].roughness = f32::NAN, "0..1"),
         (|a| a.parts[1].mesh.triangles = vec![[0, 0, 1]], "part 1"),

@@ -16,7 +16,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// Writes an asset as one node with one mesh for its parts, and one with the splats.
 ///
 /// Positions become f32; normals have length 1; triangles with two corners at one vertex are left out; texture
-/// coordinates are written where the material has an image.
+/// coordinates are written where the material has an image, tangents where it has one of normals (glTF 2.0, §3.7.2.1).
 ///
 /// # Errors
 /// [`Error::Unsupported`] for what the format cannot hold: a mesh that is not valid or empty, a material or an image
@@ -30,8 +30,11 @@ pub fn write(asset: &Asset) -> Result<Vec<u8>> {
             if part.material.is_some_and(|m| m >= asset.materials.len()) {
                 return refuse(format!("part {i} names material {:?} of {}", part.material, asset.materials.len()));
             }
-            let textured = part.material.is_some_and(|m| asset.materials[m].image.is_some());
-            let mut primitive = primitive(&part.mesh, textured, &mut out)
+            let material = part.material.map(|m| &asset.materials[m]);
+            let needs = |image: fn(&Material) -> Option<usize>| material.and_then(image).is_some();
+            let bumpy = needs(|m| m.normal_image);
+            let textured = bumpy || needs(|m| m.image) || needs(|m| m.occlusion_image);
+            let mut primitive = primitive(&part.mesh, textured, bumpy, &mut out)
                 .map_err(|e| Error::unsupported(FORMAT, format!("part {i}: {e}")))?;
             if let Some(material) = part.material {
                 primitive["material"] = material.into();
@@ -132,13 +135,20 @@ fn material(m: &Material, images: usize) -> Result<Value> {
         "metallicFactor": m.metallic,
         "roughnessFactor": m.roughness,
     });
+    let named = [m.image, m.normal_image, m.occlusion_image];
+    if let Some(image) = named.into_iter().flatten().find(|i| *i >= images) {
+        return refuse(format!("material {:?} names image {image} of {images}", m.name));
+    }
     if let Some(image) = m.image {
-        if image >= images {
-            return refuse(format!("material {:?} names image {image} of {images}", m.name));
-        }
         pbr["baseColorTexture"] = json!({ "index": image });
     }
     let mut out = json!({ "pbrMetallicRoughness": pbr });
+    if let Some(image) = m.normal_image {
+        out["normalTexture"] = json!({ "index": image });
+    }
+    if let Some(image) = m.occlusion_image {
+        out["occlusionTexture"] = json!({ "index": image });
+    }
     if !m.name.is_empty() {
         out["name"] = m.name.as_str().into();
     }
@@ -151,7 +161,7 @@ fn material(m: &Material, images: usize) -> Result<Value> {
     Ok(out)
 }
 
-fn primitive(mesh: &Mesh, textured: bool, out: &mut Buffer) -> Result<Value> {
+fn primitive(mesh: &Mesh, textured: bool, bumpy: bool, out: &mut Buffer) -> Result<Value> {
     mesh.validate()?;
     let whole = |t: &&[u32; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
     let corners: Vec<u32> = mesh.triangles.iter().filter(whole).flatten().copied().collect();
@@ -164,6 +174,10 @@ fn primitive(mesh: &Mesh, textured: bool, out: &mut Buffer) -> Result<Value> {
     let normals: Vec<[f32; 3]> =
         mesh.normals.iter().map(|n| unit(n.map(f64::from))).map(|[x, y, z]| [x, z, -y]).collect();
     attributes.insert("NORMAL".into(), out.floats(&normals, false).into());
+    if bumpy {
+        let tangents: Vec<[f32; 4]> = mesh.tangents().iter().map(|&[x, y, z, w]| [x, z, -y, w]).collect();
+        attributes.insert("TANGENT".into(), out.floats(&tangents, false).into());
+    }
     if textured {
         let uvs: Vec<[f32; 2]> = mesh.uvs.iter().map(|&[u, v]| [u, 1.0 - v]).collect();
         attributes.insert("TEXCOORD_0".into(), out.floats(&uvs, false).into());

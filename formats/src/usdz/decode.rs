@@ -322,6 +322,7 @@ impl Crate<'_> {
         Ok(match kind {
             code::DOUBLE => Value::Double(f64::from_bits(self.all.u64(place)?)),
             code::VEC3F => Value::Vec3f(rows(&self.all.floats(place, 3)?)[0]),
+            code::VEC4F => Value::Vec4f(rows(&self.all.floats(place, 4)?)[0]),
             code::TOKENS => Value::Tokens(tokens(place)?),
             code::TOKEN_LIST if matches!(self.all.u8(place)?, PREPENDED | EXPLICIT) => {
                 Value::TokenList(tokens(place + 1)?)

@@ -31,6 +31,7 @@ pub mod code {
     pub const ASSET: u8 = 12;
     pub const VEC2F: u8 = 20;
     pub const VEC3F: u8 = 24;
+    pub const VEC4F: u8 = 28;
     pub const DICTIONARY: u8 = 31;
     pub const TOKEN_LIST: u8 = 32;
     pub const PATH_LIST: u8 = 34;
@@ -229,10 +230,8 @@ impl Encoder {
             Value::Specifier(s) => inlined(code::SPECIFIER, *s),
             Value::Variability(v) => inlined(code::VARIABILITY, *v),
             Value::Double(d) => self.stored(code::DOUBLE, &d.to_le_bytes()),
-            Value::Vec3f(v) => {
-                let bytes: Vec<u8> = v.iter().flat_map(|x| x.to_le_bytes()).collect();
-                self.stored(code::VEC3F, &bytes)
-            }
+            Value::Vec3f(v) => self.floats(code::VEC3F, v),
+            Value::Vec4f(v) => self.floats(code::VEC4F, v),
             Value::Ints(v) => self.array(code::INT, v.len(), v.iter().flat_map(|x| x.to_le_bytes()).collect()),
             Value::Vec2fs(v) => {
                 self.array(code::VEC2F, v.len(), v.iter().flatten().flat_map(|x| x.to_le_bytes()).collect())
@@ -280,6 +279,11 @@ impl Encoder {
             bytes.extend(f(self, item).to_le_bytes());
         }
         bytes
+    }
+
+    fn floats(&mut self, kind: u8, values: &[f32]) -> u64 {
+        let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
+        self.stored(kind, &bytes)
     }
 
     fn stored(&mut self, code: u8, bytes: &[u8]) -> u64 {

@@ -29,6 +29,7 @@ pub enum Value {
     Token(String),
     Asset(String),
     Vec3f([f32; 3]),
+    Vec4f([f32; 4]),
     Ints(Vec<i32>),
     Vec2fs(Vec<[f32; 2]>),
     Vec3fs(Vec<[f32; 3]>),

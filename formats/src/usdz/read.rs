@@ -174,6 +174,15 @@ fn material(spec: &Spec, pictures: &mut Vec<String>) -> Material {
     if let Some(Value::String(name)) = spec.field("displayName") {
         out.name.clone_from(name);
     }
+    // The shader that an input of the surface takes its value from.
+    let feeds = |input: &str, shader: &str| {
+        let inputs = spec.children.iter().flat_map(|c| &c.children).filter(|a| a.name == input);
+        let mut paths = inputs.filter_map(|a| match a.field("connectionPaths") {
+            Some(Value::PathList(paths)) => paths.first(),
+            _ => None,
+        });
+        paths.any(|p| p.rsplit('/').next().and_then(|end| end.split('.').next()) == Some(shader))
+    };
     for shader in spec.children.iter().filter(|c| c.type_name() == "Shader") {
         let number = |name: &str| match shader.value(name) {
             Some(Value::Float(f)) => Some(*f),
@@ -191,7 +200,12 @@ fn material(spec: &Spec, pictures: &mut Vec<String>) -> Material {
             }
             Some(Value::Token(id)) if id == "UsdUVTexture" => {
                 if let Some(Value::Asset(file)) = shader.value("inputs:file") {
-                    out.image = Some(index(pictures, file));
+                    let image = Some(index(pictures, file));
+                    match shader.name.as_str() {
+                        name if feeds("inputs:normal", name) => out.normal_image = image,
+                        name if feeds("inputs:occlusion", name) => out.occlusion_image = image,
+                        _ => out.image = image,
+                    }
                 }
             }
             _ => {}

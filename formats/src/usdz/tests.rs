@@ -26,7 +26,7 @@ fn files_are_stored_at_multiples_of_64() {
         names.push(String::from_utf8(bytes[at + 30..at + 30 + name].to_vec()).unwrap());
         at = data + size;
     }
-    assert_eq!(names, ["model.usdc", "textures/image0.png"]);
+    assert_eq!(names, ["model.usdc", "textures/image0.png", "textures/image1.png", "textures/image2.png"]);
 }
 
 #[test]

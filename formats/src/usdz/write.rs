@@ -14,6 +14,10 @@ use crate::{Error, Result};
 
 /// The prim that holds everything.
 const ROOT: &str = "/Model";
+/// Shaders of a material that read images.
+const COLORS: &str = "Texture";
+const NORMALS: &str = "NormalTexture";
+const OCCLUSION: &str = "OcclusionTexture";
 
 /// Writes the parts and their materials.
 ///
@@ -133,31 +137,49 @@ fn look(material: &Material, index: usize, images: &[String]) -> Result<Spec> {
     let [r, g, b, opacity] = material.base_color;
     let mut surface = Spec::prim("Surface", "Shader").child(Spec::uniform("info:id", "UsdPreviewSurface"));
     let mut shaders = Vec::new();
+    let mut texture = |name: &str, image: usize, space: &str, result: (&str, &str)| {
+        let Some(file) = images.get(image) else {
+            return refuse(format!("material {:?} names image {image} of {}", material.name, images.len()));
+        };
+        let mut shader = Spec::prim(name, "Shader")
+            .child(Spec::uniform("info:id", "UsdUVTexture"))
+            .child(Spec::attribute("inputs:file", "asset", Value::Asset(file.clone())))
+            .child(Spec::attribute("inputs:sourceColorSpace", "token", Value::Token(space.into())))
+            .child(Spec::attribute("inputs:wrapS", "token", Value::Token("clamp".into())))
+            .child(Spec::attribute("inputs:wrapT", "token", Value::Token("clamp".into())))
+            .child(Spec::connected("inputs:st", "float2", format!("{path}/Coordinates.outputs:result")));
+        if name == NORMALS {
+            // 0..1 of the file to −1..1.
+            for (name, value) in [("inputs:scale", [2.0, 2.0, 2.0, 1.0]), ("inputs:bias", [-1.0, -1.0, -1.0, 0.0])] {
+                shader.children.push(Spec::attribute(name, "float4", Value::Vec4f(value)));
+            }
+        }
+        let (output_name, kind) = result;
+        shaders.push(shader.child(output(output_name, kind)));
+        Ok(format!("{path}/{name}.{output_name}"))
+    };
     match material.image {
         None => surface.children.push(Spec::attribute("inputs:diffuseColor", "color3f", Value::Vec3f([r, g, b]))),
         Some(image) => {
-            let Some(file) = images.get(image) else {
-                return refuse(format!("material {:?} names image {image} of {}", material.name, images.len()));
-            };
-            let from = format!("{path}/Texture.outputs:rgb");
+            let from = texture(COLORS, image, "sRGB", ("outputs:rgb", "float3"))?;
             surface.children.push(Spec::connected("inputs:diffuseColor", "color3f", from));
-            shaders.push(
-                Spec::prim("Texture", "Shader")
-                    .child(Spec::uniform("info:id", "UsdUVTexture"))
-                    .child(Spec::attribute("inputs:file", "asset", Value::Asset(file.clone())))
-                    .child(Spec::attribute("inputs:sourceColorSpace", "token", Value::Token("sRGB".into())))
-                    .child(Spec::attribute("inputs:wrapS", "token", Value::Token("clamp".into())))
-                    .child(Spec::attribute("inputs:wrapT", "token", Value::Token("clamp".into())))
-                    .child(Spec::connected("inputs:st", "float2", format!("{path}/Coordinates.outputs:result")))
-                    .child(output("outputs:rgb", "float3")),
-            );
-            shaders.push(
-                Spec::prim("Coordinates", "Shader")
-                    .child(Spec::uniform("info:id", "UsdPrimvarReader_float2"))
-                    .child(Spec::attribute("inputs:varname", "string", Value::String("st".into())))
-                    .child(output("outputs:result", "float2")),
-            );
         }
+    }
+    if let Some(image) = material.normal_image {
+        let from = texture(NORMALS, image, "raw", ("outputs:rgb", "float3"))?;
+        surface.children.push(Spec::connected("inputs:normal", "normal3f", from));
+    }
+    if let Some(image) = material.occlusion_image {
+        let from = texture(OCCLUSION, image, "raw", ("outputs:r", "float"))?;
+        surface.children.push(Spec::connected("inputs:occlusion", "float", from));
+    }
+    if !shaders.is_empty() {
+        shaders.push(
+            Spec::prim("Coordinates", "Shader")
+                .child(Spec::uniform("info:id", "UsdPrimvarReader_float2"))
+                .child(Spec::attribute("inputs:varname", "string", Value::String("st".into())))
+                .child(output("outputs:result", "float2")),
+        );
     }
     for (name, value) in
         [("inputs:metallic", material.metallic), ("inputs:roughness", material.roughness), ("inputs:opacity", opacity)]

@@ -10,7 +10,7 @@ use crate::mesh::{self, Level, Surface};
 use crate::models::Rten;
 use crate::photo;
 use crate::pipeline::{self, Settings};
-use crate::progress::Progress;
+use crate::progress::{Progress, Silent};
 use crate::sources::Sources;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Gaussians};
@@ -50,7 +50,7 @@ pub fn run(args: &MeshBench, progress: &dyn Progress) -> Result<String> {
 }
 
 /// What a column shows: title, where in a row, times what, decimals.
-const COLUMNS: [(&str, &str, f64, usize); 19] = [
+const COLUMNS: [(&str, &str, f64, usize); 20] = [
     ("seconds", "/mesh_seconds", 1.0, 1),
     ("mesh Ch%", "/mesh/chamfer", 100.0, 2),
     ("F1%", "/mesh/f1", 1.0, 3),
@@ -65,12 +65,16 @@ const COLUMNS: [(&str, &str, f64, usize); 19] = [
     ("far dB", "/views/back_db", 1.0, 2),
     ("IoU", "/views/iou", 1.0, 3),
     ("finest dB", "/finest_db", 1.0, 1),
+    ("own dB", "/finest_own_colours_db", 1.0, 1),
     ("inside dB", "/finest_inside_db", 1.0, 1),
     ("coarsest dB", "/coarsest_db", 1.0, 1),
     ("seen", "/texture/seen", 1.0, 2),
     ("mirrored", "/texture/mirrored", 1.0, 2),
     ("invented", "/texture/invented", 1.0, 2),
 ];
+
+/// Pixels across the pictures that levels are compared in.
+const LARGE: u32 = 256;
 
 fn table(rows: &[Value]) -> String {
     let titles: Vec<&str> = COLUMNS.iter().map(|c| c.0).collect();
@@ -100,6 +104,8 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         levels: 4,
         triangles: None,
         texture: 1024,
+        normal_map: false,
+        occlusion: false,
         symmetry: Use::from(args.symmetry),
         kept: Kept::default(),
     };
@@ -123,7 +129,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
     let last = &done.model.levels[done.model.levels.len() - 1];
     // From where the next finer level takes over: one pixel is then as large as what the two differ by.
     let switch = done.model.levels.iter().rev().nth(1).map_or(0.01, |l| l.error_to_coarser);
-    let far = (2.0 * views::DISTANCE * (views::FOV / 2.0).tan() / switch).clamp(8.0, 256.0) as u32;
+    let far = (2.0 * views::DISTANCE * (views::FOV / 2.0).tan() / switch).clamp(8.0, LARGE as f32) as u32;
     let mesh_seconds: f64 =
         done.timings.iter().filter(|t| t.stage.starts_with("mesh")).map(|t| t.time.as_secs_f64()).sum();
     let levels: Vec<Value> = done
@@ -147,8 +153,9 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         "gaussians": scores(&gaussians),
         "opacity_level_set": scores(&Shape::of_surface(&opacity)),
         "views": against_views(truth, &place, finest)?,
-        "finest_db": psnr(&done.gaussians, finest, 256, 0.0),
-        "finest_inside_db": psnr(&done.gaussians, finest, 256, 0.98),
+        "finest_db": psnr(&done.gaussians, finest, LARGE, 0.0),
+        "finest_own_colours_db": psnr(&done.gaussians, &own_colors(&done.gaussians, finest)?, LARGE, 0.0),
+        "finest_inside_db": psnr(&done.gaussians, finest, LARGE, 0.98),
         "coarsest_db": psnr(&done.gaussians, last, far, 0.0),
         "coarsest_pixels": far,
         "texture": { "seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored },
@@ -210,22 +217,53 @@ fn atlas_use(level: &Level) -> f32 {
     level.mesh.triangles.iter().map(twice).sum::<f32>() / 2.0
 }
 
-/// A level against the Gaussians, drawn on grey `size` pixels across from 12 sides: PSNR (dB) of the pixels at least so
-/// opaque.
-fn psnr(g: &Gaussians, level: &Level, size: u32, opaque: f32) -> f64 {
-    let cameras: Vec<Camera> =
-        (0..12).map(|k| views::orbit(30.0 * k as f32, [20.0, -10.0, 40.0][k % 3], views::DISTANCE, size)).collect();
-    let (mut sum, mut count) = (0.0, 0.0);
-    for camera in &cameras {
+/// The level with nothing but the Gaussians' colours. Where the photo's own pixels are in the texture, the model shows what
+/// the Gaussians themselves show from the photo's side alone, and differs from their other pictures for that.
+fn own_colors(g: &Gaussians, level: &Level) -> Result<Level> {
+    let render = |camera: &Camera| {
         let frame = splat::render(g, camera, [0.5; 3]);
-        let drawn = mesh::raster(&level.mesh, Some(&level.texture), camera, [128; 3], 3);
-        for ((a, b), alpha) in drawn.pixels().zip(&frame.color).zip(&frame.alpha) {
-            if *alpha >= opaque {
-                let error = |k: usize| f64::from(f32::from(a.0[k]) / 255.0 - b[k].clamp(0.0, 1.0)).powi(2);
-                sum += (0..3).map(error).sum::<f64>();
+        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    };
+    let options = mesh::Options { background: [0.5; 3], ..mesh::Options::default() };
+    let baked = mesh::bake::bake(&level.mesh, level.texture.width(), &render, &[], &options, &Silent)?;
+    Ok(Level { texture: baked.image(), ..level.clone() })
+}
+
+/// A level against the Gaussians, both drawn on grey `size` pixels across from 12 sides: PSNR (dB) of the pixels at least so
+/// opaque. Small pictures are means of large ones: a renderer of Gaussians widens each to a pixel at least, so that its own
+/// small pictures show a fatter subject.
+fn psnr(g: &Gaussians, level: &Level, size: u32, opaque: f32) -> f64 {
+    let finer = LARGE.div_ceil(size);
+    let camera = |k: usize| views::orbit(30.0 * k as f32, [20.0, -10.0, 40.0][k % 3], views::DISTANCE, size * finer);
+    let (mut sum, mut count) = (0.0, 0.0);
+    for camera in (0..12).map(camera) {
+        let frame = splat::render(g, &camera, [0.5; 3]);
+        let drawn = mesh::raster(&level.mesh, Some(&level.texture), &camera, [128; 3], 3);
+        let shown: Vec<[f32; 4]> = frame
+            .color
+            .iter()
+            .zip(&frame.alpha)
+            .map(|(c, a)| [c[0], c[1], c[2], *a].map(|v| v.clamp(0.0, 1.0)))
+            .collect();
+        let own: Vec<[f32; 4]> =
+            drawn.pixels().map(|p| [p.0[0], p.0[1], p.0[2], 255].map(|v| f32::from(v) / 255.0)).collect();
+        for (a, b) in shrunk(&own, size, finer).iter().zip(shrunk(&shown, size, finer)) {
+            if b[3] >= opaque {
+                sum += (0..3).map(|k| f64::from(a[k] - b[k]).powi(2)).sum::<f64>();
                 count += 3.0;
             }
         }
     }
     -10.0 * (sum / f64::max(count, 1.0)).max(1e-12).log10()
+}
+
+/// Means of `by` × `by` pixels of a square picture; `size` across is what is left.
+fn shrunk(picture: &[[f32; 4]], size: u32, by: u32) -> Vec<[f32; 4]> {
+    let (size, by) = (size as usize, by as usize);
+    let mut small = vec![[0.0; 4]; size * size];
+    for (i, pixel) in picture.iter().enumerate() {
+        let (x, y) = (i % (size * by) / by, i / (size * by) / by);
+        small[y * size + x].iter_mut().zip(pixel).for_each(|(sum, v)| *sum += v / (by * by) as f32);
+    }
+    small
 }

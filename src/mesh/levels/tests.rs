@@ -145,6 +145,28 @@ fn a_mast_that_only_the_photo_shows_is_put_back() {
 }
 
 #[test]
+fn a_bar_before_the_subject_that_only_the_photo_shows_is_put_back() {
+    let options = quick();
+    let [bare, rigged] = [false, true].map(|bar| scenes::boxed_with_arms(0.5, 0.4, 0.25, bar));
+    // From +x: the bar's middle hides the box, its ends stand over and under it.
+    let photo = Camera::look_at(Vec3::new(3.9, 0.3, 0.1), Vec3::ZERO, 0.52, 256);
+    let render = |c: &Camera| if *c == photo { rigged.render(c) } else { bare.render(c) };
+    let view = rigged.render(&photo);
+    let photos = [PhotoView { mirrored: false, camera: photo, color: &view.color, mask: &view.alpha }];
+    let model = build(&render, &photos, &options, &Silent).unwrap();
+    check(&model, &options);
+    let before = |model: &Model, z: f32| {
+        let near = model.surface.positions.iter().filter(|p| (p.z - z).abs() < 0.05);
+        near.filter(|p| (p.truncate() - glam::Vec2::new(0.7, 0.0)).length() < 0.07).count()
+    };
+    // Where it hides the box, at its own distance from it.
+    let heights = [-0.05, 0.0, 0.05];
+    assert!(heights.iter().all(|z| before(&model, *z) > 4), "{:?}", heights.map(|z| before(&model, z)));
+    let without = made(&bare, &options);
+    assert!(heights.iter().all(|z| before(&without, *z) == 0), "{:?}", heights.map(|z| before(&without, z)));
+}
+
+#[test]
 fn a_car_keeps_wheels_mast_and_the_gap_under_it() {
     let (scene, options) = (scenes::car(), quick());
     let model = made(&scene, &options);

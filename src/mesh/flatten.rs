@@ -1,0 +1,167 @@
+//! Bumps out, edges kept: face normals are filtered, then vertices follow them.
+//!
+//! Sun, Rosin, Martin & Langbein, "Fast and Effective Feature-Preserving Mesh Denoising" (2007): a normal becomes the mean
+//! of those around it that lean less than a limit away, the nearer to it the more they count (equation 5); a vertex moves
+//! along the filtered normals of its faces onto their planes (equation 8).
+
+use super::{Surface, cross};
+use glam::Vec3;
+use rayon::prelude::*;
+
+/// How far and how often.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Flattening {
+    /// Rounds over the normals: a bump of a few times their square root of faces across goes.
+    pub normal_rounds: usize,
+    /// Cosine of the angle from which two normals belong to different sides of an edge.
+    pub edge: f32,
+    pub vertex_rounds: usize,
+    /// No vertex moves further, scene units.
+    pub limit: f32,
+}
+
+impl Default for Flattening {
+    /// For surfaces out of a grid: 63° make an edge.
+    fn default() -> Self {
+        Flattening { normal_rounds: 50, edge: 0.45, vertex_rounds: 20, limit: 0.05 }
+    }
+}
+
+/// Flattens a closed surface; what lies on the plane z = `ground` stays, and nothing goes below it.
+pub fn flatten(surface: &mut Surface, how: &Flattening, ground: Option<f32>) {
+    let faces = &surface.triangles;
+    let around = Around::new(surface.positions.len(), faces);
+    let areas_and_normals: Vec<(f32, Vec3)> = faces
+        .par_iter()
+        .map(|t| {
+            let n = cross(&surface.positions, t);
+            (n.length(), n.normalize_or_zero())
+        })
+        .collect();
+    let areas: Vec<f32> = areas_and_normals.iter().map(|a| a.0).collect();
+    let mut normals: Vec<Vec3> = areas_and_normals.iter().map(|a| a.1).collect();
+    for _ in 0..how.normal_rounds {
+        normals = (0..faces.len())
+            .into_par_iter()
+            .map(|f| {
+                let own = normals[f];
+                let corners = faces[f].iter().flat_map(|&v| around.faces(v));
+                let sum: Vec3 = corners
+                    .map(|&g| {
+                        let alike = (own.dot(normals[g as usize]) - how.edge).max(0.0);
+                        areas[g as usize] * alike * alike * normals[g as usize]
+                    })
+                    .sum();
+                sum.try_normalize().unwrap_or(own)
+            })
+            .collect();
+    }
+    let start = surface.positions.clone();
+    let on_ground = |p: Vec3| ground.is_some_and(|g| p.z <= g);
+    for _ in 0..how.vertex_rounds {
+        let from = &surface.positions;
+        let middles: Vec<Vec3> =
+            faces.par_iter().map(|t| t.iter().map(|&i| from[i as usize]).sum::<Vec3>() / 3.0).collect();
+        let moved: Vec<Vec3> = (0..from.len())
+            .into_par_iter()
+            .map(|v| {
+                let list = around.faces(v as u32);
+                if list.is_empty() || on_ground(start[v]) {
+                    return from[v];
+                }
+                let pull = |f: &u32| normals[*f as usize] * normals[*f as usize].dot(middles[*f as usize] - from[v]);
+                let to = from[v] + list.iter().map(pull).sum::<Vec3>() / list.len() as f32;
+                let mut to = start[v] + (to - start[v]).clamp_length_max(how.limit);
+                if let Some(g) = ground {
+                    to.z = to.z.max(g);
+                }
+                to
+            })
+            .collect();
+        surface.positions = moved;
+    }
+}
+
+/// Faces at each vertex, in one array.
+struct Around {
+    start: Vec<u32>,
+    list: Vec<u32>,
+}
+
+impl Around {
+    fn new(vertices: usize, faces: &[[u32; 3]]) -> Self {
+        let mut start = vec![0u32; vertices + 1];
+        for &v in faces.iter().flatten() {
+            start[v as usize + 1] += 1;
+        }
+        for v in 0..vertices {
+            start[v + 1] += start[v];
+        }
+        let (mut at, mut list) = (start.clone(), vec![0; faces.len() * 3]);
+        for (f, t) in faces.iter().enumerate() {
+            for &v in t {
+                list[at[v as usize] as usize] = f as u32;
+                at[v as usize] += 1;
+            }
+        }
+        Around { start, list }
+    }
+
+    fn faces(&self, vertex: u32) -> &[u32] {
+        &self.list[self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scenes;
+    use super::*;
+
+    #[test]
+    fn bumps_go_and_edges_stay() {
+        let half = Vec3::new(0.7, 0.5, 0.3);
+        let mut surface = scenes::sampled(&scenes::boxed(half.x, half.y, half.z), 64);
+        // Waves of 0.015 on every side, eight samples long.
+        for p in &mut surface.positions {
+            let wave = 0.015 * ((23.0 * p.x).sin() * (21.0 * p.y).cos() + (24.0 * p.z).sin()) / 2.0;
+            *p += wave * (*p / half).normalize_or_zero();
+        }
+        // Inside the sides, well away from their edges: how far normals lean, and how far points lie off.
+        let bumps = |s: &Surface| {
+            let (mut lean, mut off, mut count) = (0.0, 0.0, 0.0);
+            for t in &s.triangles {
+                let p = t.iter().map(|&i| s.positions[i as usize]).sum::<Vec3>() / 3.0;
+                let n = cross(&s.positions, t).normalize_or_zero();
+                let inside = (p.abs() / half).to_array();
+                if let Some(k) = (0..3).find(|&k| (0..3).all(|j| j == k || inside[j] < 0.8) && inside[k] > 0.8) {
+                    lean += n.to_array()[k].abs().min(1.0).acos();
+                    off += (p.abs() - half).to_array()[k].abs();
+                    count += 1.0;
+                }
+            }
+            (lean / count, off / count)
+        };
+        let (before, volume) = (bumps(&surface), surface.volume());
+        flatten(&mut surface, &Flattening::default(), None);
+        let after = bumps(&surface);
+        assert!(after.0 < 0.6 * before.0 && after.1 < before.1, "{after:?} of {before:?}");
+        assert!((surface.volume() - volume).abs() < 0.01 * volume);
+        // The eight corners are still there.
+        for k in 0..8 {
+            let corner = half * Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32).map(|v| 2.0 * v - 1.0);
+            let nearest = surface.positions.iter().map(|p| p.distance(corner)).fold(1.0, f32::min);
+            assert!(nearest < 0.04, "{nearest} at {corner}");
+        }
+    }
+
+    #[test]
+    fn what_stands_stays_on_the_ground() {
+        let mut surface = scenes::sampled(&scenes::sphere(0.8), 40);
+        let ground = -0.5;
+        surface.positions.iter_mut().for_each(|p| p.z = p.z.max(ground));
+        let flat = |s: &Surface| s.positions.iter().filter(|p| p.z == ground).count();
+        let before = flat(&surface);
+        flatten(&mut surface, &Flattening::default(), Some(ground));
+        assert!(flat(&surface) >= before && surface.positions.iter().all(|p| p.z >= ground));
+    }
+}
