@@ -152,12 +152,14 @@ mod tests {
     }
 
     #[test]
-    fn a_coarse_ball_shades_like_a_fine_one() {
-        let fine = scenes::sampled(&scenes::sphere(0.8), 64);
+    fn a_coarse_ball_shades_like_the_rippled_one_that_it_comes_from() {
+        let mut fine = scenes::sampled(&scenes::sphere(0.8), 64);
+        fine.positions.iter_mut().for_each(|p| *p *= 1.0 + 0.02 * (14.0 * p.x).sin() * (11.0 * p.z).cos());
         let mut coarse = super::super::simplify::Simplifier::new(&fine);
         assert!(coarse.reduce_to(120));
         let level = unwrapped(&coarse.surface(), 256);
-        let found = details(&level, 256, &Fine::new(&fine, &BOTH), &BOTH);
+        let asked = Fine::new(&fine, &BOTH);
+        let found = details(&level, 256, &asked, &BOTH);
         let (normals, occlusion) = (found.normals.unwrap(), found.occlusion.unwrap());
         let tangents = tangents(&level);
         let (mut with, mut without, mut light, mut count) = (0.0, 0.0, 0.0, 0.0);
@@ -168,15 +170,15 @@ mod tests {
             let along: Vec3 = (0..3).map(|k| t.weights[k] * corners[k].0).sum();
             let right = (along - along.dot(t.normal) * t.normal).normalize();
             let shaded = v.x * right + v.y * corners[0].1 * t.normal.cross(right) + v.z * t.normal;
-            let truth = t.position.normalize();
+            let truth = asked.at(t.position, t.normal).unwrap().0;
             with += shaded.angle_between(truth);
             without += t.normal.angle_between(truth);
             count += 1.0;
             light += f32::from(occlusion.get_pixel(x, y).0[0]) / 255.0;
         }
-        // Nothing hides a ball's light.
-        assert!(light / count > 0.95, "{}", light / count);
-        assert!(with < 0.5 * without && with / count < 0.03, "{} of {}", with / count, without / count);
+        // Ripples hide little of a ball's light.
+        assert!(light / count > 0.9, "{}", light / count);
+        assert!(with < 0.3 * without && with / count < 0.03, "{} of {}", with / count, without / count);
     }
 
     #[test]
