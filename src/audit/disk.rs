@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest as _, Sha256};
+use sha2::{Digest, Sha256, Sha384};
 
 use crate::{Error, Result};
 
@@ -22,7 +22,7 @@ impl Disk {
     }
     #[cfg(test)]
     fn step(&self) -> io::Result<()> {
-        self.fault.as_ref().map_or(Ok(()), |plan| plan.step())
+        self.fault.as_ref().map_or(Ok(()), |plan| plan.step(|| {}))
     }
 
     pub fn create_dir(&self, path: &Path) -> Result<()> {
@@ -53,10 +53,7 @@ impl Disk {
     /// Appends to an open file, durably. In a test the write can fail half-way.
     pub fn append(&self, file: &mut File, bytes: &[u8]) -> io::Result<()> {
         #[cfg(test)]
-        if let Err(error) = self.step() {
-            let _ = file.write_all(&bytes[..bytes.len() / 2]);
-            return Err(error);
-        }
+        self.fault.as_ref().map_or(Ok(()), |plan| plan.step(|| drop(file.write_all(&bytes[..bytes.len() / 2]))))?;
         file.write_all(bytes)?;
         self.step()?;
         file.sync_all()
@@ -133,9 +130,18 @@ pub(crate) fn read_limited(path: &Path, limit: u64) -> Result<Vec<u8>> {
 
 /// Size and SHA-256 of a file, read in pieces.
 pub(crate) fn hash_file(path: &Path) -> io::Result<(u64, String)> {
+    digest_file::<Sha256>(path)
+}
+
+/// SHA-384 of a file, which profiles beyond the default one state beside SHA-256.
+pub(crate) fn sha384_file(path: &Path) -> Result<String> {
+    digest_file::<Sha384>(path).map(|(_, sha384)| sha384).map_err(|e| Error::io(path, &e))
+}
+
+fn digest_file<D: Digest>(path: &Path) -> io::Result<(u64, String)> {
     use std::io::Read as _;
     let mut file = File::open(path)?;
-    let (mut hash, mut size, mut buffer) = (Sha256::new(), 0, vec![0; 1 << 16]);
+    let (mut hash, mut size, mut buffer) = (D::new(), 0, vec![0; 1 << 16]);
     loop {
         let n = file.read(&mut buffer)?;
         if n == 0 {
@@ -207,11 +213,13 @@ pub(crate) mod fault {
     use std::io;
     use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-    /// Fails the operation number `at` (from 0), and with `crash` every later one too, as after a kill.
+    /// Fails the operation number `at` (from 0), and with `crash` every later one too, as after a kill; with `kill` the
+    /// process gets the signal that no process can catch.
     #[derive(Debug)]
     pub struct Plan {
         pub at: u64,
         pub crash: bool,
+        pub kill: bool,
         pub kind: io::ErrorKind,
         done: AtomicU64,
         pub hit: AtomicBool,
@@ -219,11 +227,24 @@ pub(crate) mod fault {
 
     impl Plan {
         pub fn new(at: u64, crash: bool, kind: io::ErrorKind) -> std::sync::Arc<Plan> {
-            Plan { at, crash, kind, done: AtomicU64::new(0), hit: AtomicBool::new(false) }.into()
+            Plan { at, crash, kill: false, kind, done: AtomicU64::new(0), hit: AtomicBool::new(false) }.into()
         }
-        pub fn step(&self) -> io::Result<()> {
+        pub fn killing(at: u64) -> std::sync::Arc<Plan> {
+            let (kind, done, hit) = (io::ErrorKind::Other, AtomicU64::new(0), AtomicBool::new(false));
+            Plan { at, crash: true, kill: true, kind, done, hit }.into()
+        }
+        /// `half`: what the operation has done when it fails.
+        pub fn step(&self, half: impl FnOnce()) -> io::Result<()> {
             let n = self.done.fetch_add(1, Ordering::SeqCst);
             if n == self.at || (self.crash && n > self.at) {
+                if n == self.at {
+                    half();
+                }
+                #[cfg(unix)]
+                if self.kill {
+                    // SAFETY: two system calls without pointers; the second does not return.
+                    unsafe { libc::kill(libc::getpid(), libc::SIGKILL) };
+                }
                 self.hit.store(true, Ordering::SeqCst);
                 return Err(self.kind.into());
             }

@@ -1,16 +1,18 @@
-//! Events that are records without outputs: failed and refused runs, verifications, new keys, the end of a ledger
-//! (NIST SP 800-53 AU-2, AU-12).
+//! Events that are records without outputs: failed and refused runs, verifications, keys, imported networks, the end of a
+//! ledger (NIST SP 800-53 AU-2, AU-12).
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serialize;
 
 use super::data_folder::DataFolder;
-use super::keys::{KeySource, SigningKey};
+use super::keys::{self, Named, SigningKey};
 use super::ledger::Ledger;
 use super::marking::Marking;
 use super::record::{self, RecordDraft};
-use super::statement::{Outcome, Statement};
+use super::report::Report;
+use super::statement::{Model, Outcome, Param, Statement};
 use super::time;
 use crate::{Error, Kind, Result};
 
@@ -23,47 +25,44 @@ pub struct EventType {
     pub why: &'static str,
 }
 
-/// Every kind of event, in the order of their names. All of them are always on.
-pub const EVENT_TYPES: [EventType; 10] = [
-    EventType {
-        name: "key.generate",
-        when: "orb audit keygen made a key and this user has a ledger",
-        why: "who can sign, and since when",
-    },
-    EventType {
-        name: "key.revoke",
-        when: "orb audit key trust revoke and this user has a ledger",
-        why: "since when a key counts no more",
-    },
-    EventType {
-        name: "key.trust",
-        when: "orb audit key trust add and this user has a ledger",
-        why: "whose signatures count",
-    },
-    EventType {
-        name: "ledger.close",
-        when: "orb audit ledger archive",
-        why: "a ledger that ends on purpose differs from one that was cut",
-    },
-    EventType {
-        name: "marking.refused",
-        when: "a run was refused because of a marking: unknown, or below an input's",
-        why: "attempts to lower a marking are seen",
-    },
-    EventType { name: "run.failed", when: "a run ended without a result", why: "failures are events too" },
-    EventType {
-        name: "run.refused",
-        when: "policy refused a run: a key, an algorithm, a pin",
-        why: "attempts are seen",
-    },
-    EventType { name: "scene.generate", when: "orb geo published", why: "what was made of what, by whom" },
-    EventType { name: "scene.render", when: "orb render published", why: "what was made of what, by whom" },
-    EventType {
-        name: "verify.run",
-        when: "orb audit verify gave a verdict",
-        why: "that checks were made, and what they gave",
-    },
+/// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
+/// the one that signed it.
+pub const EVENT_TYPES: [EventType; 16] = [
+    event("key.generate", "a key was made: by orb audit keygen, or the user's own", "who can sign, and since when"),
+    event("key.revoke", "orb audit key trust revoke", "since when a key counts no more"),
+    event(
+        "key.trust",
+        "a key, an authority or a revocation list was added, also by signing with a key for the first time",
+        "whose signatures count",
+    ),
+    event("ledger.checkpoint", "orb audit ledger checkpoint signed one", "a key was used beside the ledger"),
+    event("ledger.close", "orb audit ledger archive", "a ledger that ends on purpose differs from one that was cut"),
+    event(
+        "marking.refused",
+        "a run was refused because of a marking: unknown, or below an input's",
+        "attempts to lower a marking are seen",
+    ),
+    event("model.import", "orb models import took a network in", "which weights came when, by whose word"),
+    event("model.remove", "orb models remove", "since when a network is gone"),
+    event("record.timestamp", "orb audit timestamp import put a time stamp beside a record", "what time is proven"),
+    event("run.failed", "a run ended without a result", "failures are events too"),
+    event("run.refused", "policy refused a run: a key, an algorithm, a pin", "attempts are seen"),
+    event("scene.export", "orb export published", MADE),
+    event("scene.generate", "orb geo published", MADE),
+    event("scene.reconstruct", "orb reconstruct published", MADE),
+    event("scene.render", "orb render published", MADE),
+    event(
+        "verify.run",
+        "orb audit verify, report, export, ledger verify or ledger reconcile gave a verdict",
+        "that checks were made, and what they gave",
+    ),
 ];
+
+const MADE: &str = "what was made of what, by whom";
+
+const fn event(name: &'static str, when: &'static str, why: &'static str) -> EventType {
+    EventType { name, when, why }
+}
 
 /// The kind of event that a failed run is, and its code: the error's own, else its kind's. `None` for wrong arguments:
 /// no run began.
@@ -80,22 +79,121 @@ pub fn of_failure(error: &Error) -> Option<(&'static str, String)> {
     Some((kind, code))
 }
 
-/// Appends an event to this user's ledger, signed by this user's key; does nothing for a user who has none yet, so
-/// that looking at a result leaves no traces in a home folder.
+/// Something that happened without outputs.
+#[derive(Clone, Debug)]
+pub struct Happened<'a> {
+    /// One of [`EVENT_TYPES`].
+    pub kind: &'static str,
+    /// The verb: `orb audit keygen`.
+    pub command: &'a str,
+    pub outcome: Outcome,
+    pub code: Option<&'a str>,
+    /// What it happened to: fingerprints, digests, verdicts. No path: folders tell about people, not about data.
+    pub params: BTreeMap<String, Param>,
+    pub models: Vec<Model>,
+    /// Looking at a result leaves no traces in the home folder of a user who has none yet.
+    pub begins_a_ledger: bool,
+}
+
+impl<'a> Happened<'a> {
+    pub fn new(kind: &'static str, command: &'a str) -> Happened<'a> {
+        Happened {
+            kind,
+            command,
+            outcome: Outcome::Success,
+            code: None,
+            params: BTreeMap::new(),
+            models: Vec::new(),
+            begins_a_ledger: true,
+        }
+    }
+
+    pub fn failed(self, code: Option<&'a str>) -> Happened<'a> {
+        Happened { outcome: Outcome::Failure, code, ..self }
+    }
+
+    pub fn to(mut self, name: &str, value: impl Into<String>) -> Happened<'a> {
+        self.params.insert(name.into(), Param::Text(record::printable(&value.into())));
+        self
+    }
+}
+
+/// Appends an event to this user's ledger, signed by this user's own key. A user who has neither gets them, unless the event
+/// does not begin a ledger.
 ///
 /// # Errors
 /// As [`Ledger::append`].
-pub fn log(data: &DataFolder, kind: &str, command: &str, outcome: Outcome, code: Option<&str>) -> Result<()> {
-    let path = data.path().join("keys/orb-signing.pem");
-    if !path.is_file() {
+pub fn log(data: &DataFolder, happened: &Happened<'_>) -> Result<()> {
+    if !happened.begins_a_ledger && !keys::has_own(data) {
         return Ok(());
     }
-    let key = SigningKey::load(&path, KeySource::UserData)?;
+    let (key, created) = keys::own(data)?;
+    if created {
+        append(data, &key, &key_made(&key, happened.command))?;
+    }
+    append(data, &key, happened)
+}
+
+/// The verdict of a verification, as [`log`]; that it cannot be recorded changes nothing about it.
+pub fn log_verdict(data: &DataFolder, command: &str, report: &Report) {
+    let found = report.findings.iter().find(|f| f.verdict == report.verdict).map(|f| f.code);
+    let mut happened = Happened { begins_a_ledger: false, ..Happened::new("verify.run", command) };
+    if report.exit_code != 0 {
+        happened = happened.failed(found);
+    }
+    // Words of records that no trusted key signed are in no report.
+    for (name, value) in [("ledger_id", &report.ledger_id), ("trail_hash", &report.trail_hash)] {
+        if let Some(value) = value {
+            happened = happened.to(name, value);
+        }
+    }
+    if let Err(e) = log(data, &happened) {
+        eprintln!("orb: warning: the verification was not recorded: {e}");
+    }
+}
+
+/// The key for a run, as [`keys::for_marking`]; a key that is made or trusted by this is an event.
+///
+/// # Errors
+/// As [`keys::for_marking`] and [`Ledger::append`].
+pub fn key_for_run(
+    data: &DataFolder,
+    command: &str,
+    marking: &Marking,
+    named: Option<Named<'_>>,
+) -> Result<keys::KeyForRun> {
+    let run = keys::for_marking(data, marking, named)?;
+    if run.created {
+        append(data, &run.key, &key_made(&run.key, command))?;
+        return Ok(run);
+    }
+    // Who signs with a named key has events too, and their key is their own.
+    let (own, created) = keys::own(data)?;
+    if created {
+        append(data, &own, &key_made(&own, command))?;
+    }
+    if run.newly_trusted {
+        let fingerprint = run.key.public().fingerprint();
+        append(data, &own, &Happened::new("key.trust", command).to("key_fingerprint", fingerprint))?;
+    }
+    Ok(run)
+}
+
+fn key_made<'a>(key: &SigningKey, command: &'a str) -> Happened<'a> {
+    Happened::new("key.generate", command).to("key_fingerprint", key.public().fingerprint())
+}
+
+fn append(data: &DataFolder, key: &SigningKey, happened: &Happened<'_>) -> Result<()> {
+    let Happened { kind, command, outcome, code, .. } = *happened;
     let mut random = [0; 10];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
-    let draft = RecordDraft::event(kind, command, time::now()?, random, Marking::UNCLASSIFIED.into());
+    let draft = RecordDraft {
+        params: happened.params.clone(),
+        models: happened.models.clone(),
+        ..RecordDraft::event(kind, command, time::now()?, random, Marking::UNCLASSIFIED.into())
+    };
     Ledger::open(data)?
-        .append(&key, |next| record::seal(&draft, Vec::new(), outcome, code, next, &key), |_, _| Ok(()))
+        .append(key, |next| record::seal(&draft, Vec::new(), outcome, code, next, key), |_, _| Ok(()))
         .map(drop)
 }
 
@@ -111,15 +209,28 @@ pub fn list(ledger: &Path) -> Result<String> {
             Outcome::Failure => "failure",
         };
         let code = p.event.error_code.map(|c| format!(" {c}")).unwrap_or_default();
-        out.push_str(&format!("{:>6}  {}  {:<18} {outcome}{code}\n", p.chain.seq, p.time.utc, p.event.kind));
+        let about = if p.event.kind.starts_with("scene.") { String::new() } else { about(&p.params, &p.models) };
+        out.push_str(&format!("{:>6}  {}  {:<18} {outcome}{code}{about}\n", p.chain.seq, p.time.utc, p.event.kind));
     }
     Ok(out)
+}
+
+/// What an event happened to, in a few words.
+fn about(params: &BTreeMap<String, Param>, models: &[Model]) -> String {
+    let text = |value: &Param| match value {
+        Param::Text(text) => text.clone(),
+        Param::Int(n) => n.to_string(),
+        Param::Bool(b) => b.to_string(),
+    };
+    let of_params = params.iter().map(|(name, value)| format!(" {name}={:.16}", text(value)));
+    let of_models = models.iter().map(|m| format!(" {}={:.16}", m.id, m.weights_sha256.as_deref().unwrap_or_default()));
+    of_params.chain(of_models).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::audit::keys;
+    use crate::audit::keys::tests::shared_key;
 
     #[test]
     fn failures_and_their_codes() {
@@ -133,17 +244,65 @@ mod tests {
     }
 
     #[test]
-    fn events_join_the_chain_of_a_user_who_has_one() {
+    fn events_join_the_chain() {
         let dir = tempfile::tempdir().unwrap();
         let data = DataFolder::at(dir.path().join("data"));
-        let event = || log(&data, "run.failed", "orb geo", Outcome::Failure, Some("CANCELLED"));
-        event().unwrap();
+        // Who only looks leaves no trace.
+        let looked = Happened { begins_a_ledger: false, ..Happened::new("verify.run", "orb audit verify") };
+        log(&data, &looked).unwrap();
         assert!(!data.path().exists());
-        keys::for_marking(&data, &Marking::UNCLASSIFIED, None).unwrap();
-        event().unwrap();
-        event().unwrap();
-        let text = list(Ledger::open(&data).unwrap().path()).unwrap();
-        assert_eq!(text.lines().filter(|l| l.ends_with("run.failed         failure CANCELLED")).count(), 2, "{text}");
+        log(&data, &Happened::new("run.failed", "orb geo").failed(Some("CANCELLED"))).unwrap();
+        log(&data, &looked.to("trail_hash", "ab\n")).unwrap();
+        let ledger = Ledger::open(&data).unwrap();
+        let text = list(ledger.path()).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(lines.len() == 3 && lines[0].contains("key.generate       success key_fingerprint="), "{text}");
+        assert!(lines[1].ends_with("run.failed         failure CANCELLED"), "{text}");
+        assert!(lines[2].ends_with("verify.run         success trail_hash=ab\u{fffd}"), "{text}");
+        let made = &ledger.read_chain().unwrap()[0].predicate;
+        assert_eq!(made.params["key_fingerprint"], Param::Text(made.actor.key_fingerprint.clone()));
+    }
+
+    /// Who signs with a named key only has events too, and the first use of that key is one.
+    #[test]
+    fn a_user_of_a_named_key() {
+        let dir = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(dir.path().join("data"));
+        let path = dir.path().join("unit.pem");
+        shared_key().save(&path, None).unwrap();
+        let named = || Some(Named::from(&path));
+        key_for_run(&data, "orb geo", &Marking::SECRET, named()).unwrap();
+        key_for_run(&data, "orb geo", &Marking::SECRET, named()).unwrap();
+        let chain = Ledger::open(&data).unwrap().read_chain().unwrap();
+        let kinds: Vec<&str> = chain.iter().map(|s| s.predicate.event.kind.as_str()).collect();
+        assert_eq!(kinds, ["key.generate", "key.trust"]);
+        assert_eq!(
+            chain[1].predicate.params["key_fingerprint"],
+            Param::Text(shared_key().public().fingerprint().into())
+        );
+    }
+
+    /// Every kind that the source names is listed, and every kind that is listed is used.
+    #[test]
+    fn the_list_is_whole() {
         assert!(EVENT_TYPES.is_sorted_by_key(|e| e.name));
+        let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        let mut text = String::new();
+        for entry in crate::audit::disk::walk(&src).unwrap() {
+            if entry.is_file && entry.name.ends_with(".rs") && entry.name != "audit/events.rs" {
+                text.push_str(&std::fs::read_to_string(entry.path).unwrap());
+            }
+        }
+        for before in ["event_type: \"", "Happened::new(\""] {
+            for (at, _) in text.match_indices(before) {
+                let name = text[at + before.len()..].split('"').next().unwrap();
+                assert!(EVENT_TYPES.iter().any(|e| e.name == name), "{name} is not listed");
+            }
+        }
+        // These are made here.
+        let here = ["key.generate", "marking.refused", "run.failed", "run.refused", "verify.run"];
+        for EventType { name, .. } in EVENT_TYPES {
+            assert!(here.contains(&name) || text.contains(&format!("\"{name}\"")), "{name} never happens");
+        }
     }
 }

@@ -14,7 +14,7 @@ use std::path::Path;
 use aws_lc_rs::encoding::{AsDer, Pkcs8V1Der, PublicKeyX509Der};
 use aws_lc_rs::rand::SystemRandom;
 use aws_lc_rs::rsa::{KeyPair, KeySize};
-use aws_lc_rs::signature::{self, KeyPair as _, RsaParameters, RsaSignatureEncoding, UnparsedPublicKey};
+use aws_lc_rs::signature::{self, KeyPair as _, ParsedPublicKey, RsaParameters, RsaSignatureEncoding};
 use serde::{Deserialize, Serialize};
 use zeroize::Zeroizing;
 
@@ -54,6 +54,11 @@ impl Algorithm {
         }
     }
 
+    /// Records signed so state SHA-384 beside SHA-256 of every output.
+    pub fn with_sha384(self) -> bool {
+        self == Algorithm::Rs384
+    }
+
     fn encoding(self) -> &'static RsaSignatureEncoding {
         match self {
             Algorithm::Rs256 => &signature::RSA_PKCS1_SHA256,
@@ -69,6 +74,8 @@ impl Algorithm {
     }
 }
 
+/// The user's own key, in the data folder's `keys`.
+const OWN_KEY: &str = "orb-signing.pem";
 const PRIVATE_LABEL: &str = "PRIVATE KEY";
 const PUBLIC_LABEL: &str = "PUBLIC KEY";
 /// Accepted sizes of the modulus, bits.
@@ -113,6 +120,8 @@ impl KeySource {
 #[derive(Clone, Debug)]
 pub struct PublicKey {
     spki: Vec<u8>,
+    /// The key as aws-lc-rs reads it, for each of [`Algorithm::ALL`].
+    first: [ParsedPublicKey; 2],
     /// The same key as the second implementation reads it.
     second: Second,
     fingerprint: String,
@@ -141,7 +150,11 @@ impl PublicKey {
                 "an RSA key with the public exponent {exponent}; {MIN_EXPONENT} or more, odd, is accepted"
             ));
         }
-        Ok(PublicKey { spki: spki.to_vec(), second, fingerprint: sha256_hex(spki) })
+        let parse = |algorithm: Algorithm| {
+            ParsedPublicKey::new(algorithm.verification(), spki).map_err(|e| format!("not an RSA public key ({e})"))
+        };
+        let first = [parse(Algorithm::Rs256)?, parse(Algorithm::Rs384)?];
+        Ok(PublicKey { spki: spki.to_vec(), first, second, fingerprint: sha256_hex(spki) })
     }
 
     pub fn from_pem(text: &str) -> Result<PublicKey, String> {
@@ -165,7 +178,7 @@ impl PublicKey {
     /// True only when two independent implementations, aws-lc-rs and [`second`], both accept the signature.
     /// `Err` when they disagree, which must never happen.
     pub fn verify_by(&self, algorithm: Algorithm, message: &[u8], sig: &[u8]) -> Result<bool, String> {
-        let first = UnparsedPublicKey::new(algorithm.verification(), &self.spki).verify(message, sig).is_ok();
+        let first = self.first[algorithm as usize].verify_sig(message, sig).is_ok();
         let second = self.second.verify(algorithm, message, sig);
         if first == second {
             Ok(first)
@@ -182,6 +195,24 @@ impl PublicKey {
             }
         }
         Ok(None)
+    }
+}
+
+impl PublicKey {
+    /// The algorithm of a signature that is good, but by one that proves nothing here: `None` for a bad signature. Only for
+    /// words in a finding.
+    pub fn refused_algorithm(&self, message: &[u8], sig: &[u8]) -> Option<&'static str> {
+        let known: [(&str, &'static RsaParameters); 5] = [
+            ("RSASSA-PKCS1-v1_5 with SHA-1", &signature::RSA_PKCS1_2048_8192_SHA1_FOR_LEGACY_USE_ONLY),
+            ("RS512", &signature::RSA_PKCS1_2048_8192_SHA512),
+            ("PS256", &signature::RSA_PSS_2048_8192_SHA256),
+            ("PS384", &signature::RSA_PSS_2048_8192_SHA384),
+            ("PS512", &signature::RSA_PSS_2048_8192_SHA512),
+        ];
+        let verifies = |parameters: &&'static RsaParameters| {
+            ParsedPublicKey::new(*parameters, &self.spki).is_ok_and(|key| key.verify_sig(message, sig).is_ok())
+        };
+        known.into_iter().find(|(_, parameters)| verifies(parameters)).map(|(name, _)| name)
     }
 }
 
@@ -253,6 +284,8 @@ pub struct KeyForRun {
     pub key: SigningKey,
     /// This run made it.
     pub created: bool,
+    /// It was in no trust store of this user before.
+    pub newly_trusted: bool,
     pub warning: Option<String>,
 }
 
@@ -467,13 +500,11 @@ pub fn for_marking(data: &DataFolder, marking: &Marking, named: Option<Named<'_>
         }
         None => own_key(data)?,
     };
-    if key.chain().is_none() {
-        trust::add(data, key.public())?;
-    }
+    let newly_trusted = key.chain().is_none() && trust::add(data, key.public())?;
     check_standing(data, &key, marking)?;
     let warning = (key.public.bits() < ADVISED_BITS)
         .then(|| format!("the signing key has {} bits; {ADVISED_BITS} or more are advised", key.public.bits()));
-    Ok(KeyForRun { key, created, warning })
+    Ok(KeyForRun { key, created, newly_trusted, warning })
 }
 
 /// A key that this user's own trust store objects to signs nothing.
@@ -494,9 +525,26 @@ fn check_standing(data: &DataFolder, key: &SigningKey, marking: &Marking) -> Res
     }
 }
 
+/// The user's own key, made and trusted if there is none; true when it was made.
+///
+/// # Errors
+/// As [`SigningKey::load`].
+pub(super) fn own(data: &DataFolder) -> Result<(SigningKey, bool)> {
+    let (key, created) = own_key(data)?;
+    if created {
+        trust::add(data, key.public())?;
+    }
+    Ok((key, created))
+}
+
+/// Whether the user has an own key already.
+pub(super) fn has_own(data: &DataFolder) -> bool {
+    data.path().join("keys").join(OWN_KEY).is_file()
+}
+
 fn own_key(data: &DataFolder) -> Result<(SigningKey, bool)> {
     let folder = data.subfolder("keys")?;
-    let path = folder.join("orb-signing.pem");
+    let path = folder.join(OWN_KEY);
     let lock_path = folder.join("lock");
     let lock = OpenOptions::new().create(true).append(true).open(&lock_path).map_err(|e| Error::io(&lock_path, &e))?;
     // Held until the file is closed: a second first run waits here and then finds the key.

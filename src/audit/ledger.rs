@@ -29,6 +29,24 @@ pub struct Ledger {
     disk: Disk,
 }
 
+/// A record that stands durably in a ledger. Only an append makes one, and without one nothing is published: see
+/// [`super::Publication::seal`].
+#[derive(Clone, Debug)]
+pub struct Recorded(Sealed);
+
+impl Recorded {
+    pub fn into_sealed(self) -> Sealed {
+        self.0
+    }
+}
+
+impl std::ops::Deref for Recorded {
+    type Target = Sealed;
+    fn deref(&self) -> &Sealed {
+        &self.0
+    }
+}
+
 /// Where a ledger ends: what the next record follows.
 #[derive(Debug)]
 struct End {
@@ -80,7 +98,7 @@ impl Ledger {
         key: &SigningKey,
         make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
         stage: impl FnOnce(&Sealed, &Proof) -> Result<()>,
-    ) -> Result<Sealed> {
+    ) -> Result<Recorded> {
         let opened = self.open_at_end()?;
         self.append_to(opened, key, make, stage).map(|(sealed, _)| sealed)
     }
@@ -101,7 +119,7 @@ impl Ledger {
         key: &SigningKey,
         make: impl FnOnce(Option<Chain>) -> Result<Sealed>,
         stage: impl FnOnce(&Sealed, &Proof) -> Result<()>,
-    ) -> Result<(Sealed, Opened)> {
+    ) -> Result<(Recorded, Opened)> {
         let next = end.last.as_ref().map(chain_after).transpose().map_err(|why| self.broken(why))?;
         let sealed = make(next)?;
         self.keep_chain(key)?;
@@ -123,7 +141,7 @@ impl Ledger {
             let _ = Head::of(&tree, bytes, &proof).save(&self.head_path(), &self.disk);
         }
         let end = End { tree, last: Some(sealed.statement.clone()), bytes };
-        Ok((sealed, Opened { existed: true, file, end }))
+        Ok((Recorded(sealed), Opened { existed: true, file, end }))
     }
 
     /// A checkpoint of the ledger as it stands, for keeping elsewhere; `None` for a ledger without records.
@@ -165,7 +183,7 @@ impl Ledger {
         }
         // Before the record: where nothing can be moved to, nothing is closed.
         self.disk.create_dir(folder)?;
-        let (sealed, locked) = self.append_to(opened, key, make, |_, _| Ok(())).inspect_err(|_| {
+        let (closed, locked) = self.append_to(opened, key, make, |_, _| Ok(())).inspect_err(|_| {
             let _ = self.disk.remove_dir(folder);
         })?;
         let moved = folder.join(self.path.file_name().unwrap_or_default());
@@ -181,7 +199,7 @@ impl Ledger {
         for folder in [Some(folder), self.path.parent()].into_iter().flatten() {
             self.disk.sync_dir(folder)?;
         }
-        Ok(checkpoint::Checkpoint::of(&locked.end.tree, &sealed.statement))
+        Ok(checkpoint::Checkpoint::of(&locked.end.tree, &closed.statement))
     }
 
     /// The certificates of the key, beside the ledger: what it signs here is verified from here.
@@ -397,23 +415,32 @@ fn tail(file: &mut File, length: u64) -> std::io::Result<Vec<u8>> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::Kind;
     use crate::audit::keys::tests::shared_key;
     use crate::audit::record::{self, tests::draft};
     use crate::audit::statement::Outcome;
 
-    fn append(ledger: &mut Ledger) -> Result<Sealed> {
+    fn append(ledger: &mut Ledger) -> Result<Recorded> {
         let seal = |place| record::seal(&draft(), Vec::new(), Outcome::Success, None, place, shared_key());
         ledger.append(shared_key(), seal, |_, _| Ok(()))
+    }
+
+    /// Some record that stands in some ledger.
+    pub(crate) fn recorded() -> &'static Recorded {
+        static RECORDED: std::sync::OnceLock<Recorded> = std::sync::OnceLock::new();
+        RECORDED.get_or_init(|| {
+            let dir = tempfile::tempdir().unwrap();
+            append(&mut Ledger::open(&DataFolder::at(dir.path())).unwrap()).unwrap()
+        })
     }
 
     #[test]
     fn each_record_names_the_one_before() {
         let dir = tempfile::tempdir().unwrap();
         let mut ledger = Ledger::open(&DataFolder::at(dir.path())).unwrap();
-        let made: Vec<Sealed> = (0..3).map(|_| append(&mut ledger).unwrap()).collect();
+        let made: Vec<Recorded> = (0..3).map(|_| append(&mut ledger).unwrap()).collect();
         for (i, pair) in made.windows(2).enumerate() {
             let chain = &pair[1].statement.predicate.chain;
             assert_eq!(chain.seq, i as u64 + 1);

@@ -17,7 +17,9 @@ use super::marking::Marking;
 use super::merkle::Frontier;
 use super::pem;
 use super::publication::RECORD;
-use super::record_check::{Policy, check_fields, check_policy, check_signatures, check_standing, read_statement};
+use super::record_check::{
+    Policy, Signer, check_fields, check_policy, check_signatures, check_standing, read_statement,
+};
 use super::report::{Finding, Range, Report, Severity};
 use super::statement::{Outcome, Statement};
 use super::time;
@@ -32,6 +34,8 @@ const MAX_FINDINGS: usize = 1000;
 /// How far a record may be dated before the one before it: a run is dated when it begins and takes its place when it
 /// ends, and two may run at once.
 pub const TIME_GRACE_MS: u64 = 10 * 60 * 1000;
+/// Events that may stand after the last checkpoint: they vouch for nothing but that somebody looked.
+const LOOKS: [&str; 2] = ["verify.run", "ledger.checkpoint"];
 /// The event that ends a ledger.
 pub const CLOSE_EVENT: &str = "ledger.close";
 
@@ -42,7 +46,8 @@ pub struct LedgerRequest<'a> {
     pub trust: &'a TrustStore,
     /// Checkpoints that were kept elsewhere.
     pub checkpoints: &'a [PathBuf],
-    /// Without a checkpoint that covers the last record there is no verdict.
+    /// Without a checkpoint that covers the last record there is no verdict. What only tells of checks that followed may stand
+    /// after it: verifying a ledger adds to it.
     pub require_anchor: bool,
     /// This machine's time, milliseconds since 1970.
     pub now_ms: u64,
@@ -59,6 +64,10 @@ pub struct LedgerRequest<'a> {
 pub fn verify_ledger(request: &LedgerRequest<'_>) -> Result<Report> {
     let trust = &with_chains(request)?;
     let mut walk = Walk::new(request, trust)?;
+    if !request.ledger.exists() && !walk.anchors.is_empty() {
+        // Nothing is left, but a checkpoint knows of records.
+        return Ok(walk.finish());
+    }
     let mut reader = open(request.ledger)?;
     let mut lines: Vec<Vec<u8>> = Vec::new();
     loop {
@@ -160,8 +169,8 @@ fn with_chains(request: &LedgerRequest<'_>) -> Result<TrustStore> {
 /// What can be said about a line alone.
 struct Checked {
     statement: Option<Statement>,
-    /// The key that verified it.
-    signed_by: Option<String>,
+    /// By trusted keys, all of them.
+    is_signed: bool,
     found: Vec<Finding>,
 }
 
@@ -172,7 +181,7 @@ fn check_line(line: &[u8], request: &LedgerRequest<'_>, trust: &TrustStore) -> C
         Ok(envelope) => envelope,
         Err(fault) => {
             found.push(Finding::new(fault.code(), subject).expected("a DSSE envelope").actual(fault.detail()));
-            return Checked { statement: None, signed_by: None, found };
+            return Checked { statement: None, is_signed: false, found };
         }
     };
     if envelope.to_line() != line {
@@ -181,15 +190,15 @@ fn check_line(line: &[u8], request: &LedgerRequest<'_>, trust: &TrustStore) -> C
     if envelope.payload_type != PAYLOAD_TYPE {
         found.push(Finding::new("TYPE_UNSUPPORTED", subject).expected(PAYLOAD_TYPE).actual(&envelope.payload_type));
     }
-    let signer = check_signatures(&envelope, trust, subject, &mut found);
+    let signers = check_signatures(&envelope, trust, subject, &mut found);
     let statement = read_statement(&envelope, subject, &mut found);
     if let Some(statement) = &statement {
         check_policy(statement, request.policy, &mut found);
-        check_fields(statement, trust, signer, None, request.now_ms, &mut found);
+        check_fields(statement, trust, &signers, None, request.now_ms, &mut found);
     }
     // True of most ledgers and said once, in the records themselves.
     found.retain(|f| f.code != "TIME_UNSYNCED" || f.severity != Severity::Note);
-    Checked { statement, signed_by: signer.map(|s| s.key.fingerprint().to_owned()), found }
+    Checked { statement, is_signed: !signers.is_empty(), found }
 }
 
 /// The walk along the chain.
@@ -199,6 +208,8 @@ struct Walk<'a> {
     report: Report,
     tree: Frontier,
     before: Option<Statement>,
+    /// The last record that is none of [`LOOKS`].
+    last_to_anchor: Option<u64>,
     before_ms: u64,
     events: HashSet<u128>,
     anchors: Vec<Anchor>,
@@ -224,6 +235,7 @@ impl<'a> Walk<'a> {
             report: Report::new(request.trust),
             tree: Frontier::default(),
             before: None,
+            last_to_anchor: None,
             before_ms: 0,
             events: HashSet::new(),
             anchors: Vec::new(),
@@ -251,19 +263,18 @@ impl<'a> Walk<'a> {
 
     fn take_anchor(&mut self, name: String, envelope: &Envelope, kept_elsewhere: bool) {
         let mut found = Vec::new();
-        let signer = check_signatures(envelope, self.trust, &name, &mut found);
-        match (Checkpoint::parse(envelope), signer) {
-            (Ok(checkpoint), Some(signer)) => {
+        let signers = check_signatures(envelope, self.trust, &name, &mut found);
+        match Checkpoint::parse(envelope) {
+            Ok(checkpoint) if !signers.is_empty() => {
                 let signed =
                     Signed { stated_ms: time::parse_utc(&checkpoint.utc).unwrap_or_default(), proven_ms: None };
-                if check_standing(self.trust, signer, signed, None, &name, &mut found) {
+                let stand = |s: &Signer<'_>, found: &mut _| check_standing(self.trust, *s, signed, None, &name, found);
+                if signers.iter().all(|s| stand(s, &mut found)) {
                     self.anchors.push(Anchor { name, checkpoint, kept_elsewhere });
                 }
             }
-            (Ok(_), None) => {}
-            (Err(fault), _) => {
-                found.push(Finding::new(fault.code(), name).expected("a checkpoint").actual(fault.detail()))
-            }
+            Ok(_) => {}
+            Err(fault) => found.push(Finding::new(fault.code(), name).expected("a checkpoint").actual(fault.detail())),
         }
         for finding in found {
             self.find(finding);
@@ -285,7 +296,7 @@ impl<'a> Walk<'a> {
         for finding in record.found {
             self.find(finding);
         }
-        self.all_signed &= record.signed_by.is_some();
+        self.all_signed &= record.is_signed;
         let Some(statement) = record.statement else { return };
         let p = &statement.predicate;
         if let Some(code) = ledger::follows(self.before.as_ref(), &statement) {
@@ -319,6 +330,9 @@ impl<'a> Walk<'a> {
         self.compare_with_anchors(&p.chain.ledger_id, p.chain.seq);
         if let Some(m) = statement.marking() {
             self.marking = Some(self.marking.take().map_or_else(|| m.clone(), |j| j.join(&m)));
+        }
+        if !LOOKS.contains(&p.event.kind.as_str()) {
+            self.last_to_anchor = Some(p.chain.seq);
         }
         self.before = Some(statement);
     }
@@ -374,7 +388,7 @@ impl<'a> Walk<'a> {
         self.report.marking = self.marking.take().filter(|_| self.all_signed).map(|m| m.banner());
         if self.report.anchored_through != last {
             self.find(Finding::new("TAIL_UNANCHORED", "ledger"));
-            if self.request.require_anchor {
+            if self.request.require_anchor && self.report.anchored_through < self.last_to_anchor {
                 self.find(Finding::new("ANCHOR_REQUIRED", "ledger"));
             }
         }

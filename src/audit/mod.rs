@@ -10,6 +10,8 @@ pub mod canonical;
 pub mod checkpoint;
 pub mod data_folder;
 pub(crate) mod disk;
+#[cfg(test)]
+mod doors;
 pub mod dsse;
 pub mod events;
 pub mod evidence;

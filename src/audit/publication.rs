@@ -14,7 +14,7 @@ use super::checkpoint::Proof;
 use super::disk::{self, Disk};
 use super::inband;
 use super::keys::SigningKey;
-use super::ledger::Ledger;
+use super::ledger::{Ledger, Recorded};
 use super::marking::authority::{Authority, Designation};
 use super::marking::handling::Handling;
 use super::marking::{Ism, Profile};
@@ -228,15 +228,18 @@ impl Publication {
         draft.check_marking()?;
         let sidecar = self.sidecar()?;
         self.add(MARKING_SIDECAR, &sidecar, "application/json", "marking")?;
+        if key.algorithm().with_sha384() {
+            self.add_sha384()?;
+        }
         // One order, whatever order the exporters ran in.
         self.subjects.sort_by(|a, b| a.name.cmp(&b.name));
         let subjects = self.subjects.clone();
-        let sealed = ledger.append(
+        let recorded = ledger.append(
             key,
             |next| record::seal(draft, subjects.clone(), Outcome::Success, None, next, key),
             |sealed, proof| self.write_seal(sealed, proof, key),
         )?;
-        if let Err(error) = self.publish() {
+        if let Err(error) = self.publish(&recorded) {
             // The ledger says that the run succeeded: the next record corrects it.
             let mut draft = draft.clone();
             draft.event_random[9] ^= 1;
@@ -244,7 +247,19 @@ impl Publication {
             let _ = ledger.append(key, correct, |_, _| Ok(()));
             return Err(error);
         }
-        Ok(self.into_published(sealed, key))
+        Ok(self.into_published(recorded.into_sealed(), key))
+    }
+
+    /// A second digest of every file, for who accepts no SHA-256.
+    fn add_sha384(&mut self) -> Result<()> {
+        for subject in &mut self.subjects {
+            let path = match (subject.name.strip_prefix(STORE_PREFIX), &self.merge) {
+                (Some(name), Some(merge)) => merge.staged(name),
+                _ => self.staging.join(&subject.name),
+            };
+            subject.digest.sha384 = Some(disk::sha384_file(&path)?);
+        }
+        Ok(())
     }
 
     fn write_seal(&self, sealed: &Sealed, proof: &Proof, key: &SigningKey) -> Result<()> {
@@ -270,12 +285,12 @@ impl Publication {
         self.disk.sync_dir(&self.staging)
     }
 
-    fn publish(&mut self) -> Result<()> {
+    fn publish(&mut self, recorded: &Recorded) -> Result<()> {
         if let Some(merge) = &mut self.merge {
-            merge.apply()?;
+            merge.apply(recorded, &self.destination)?;
         }
         // Should the rename fail, the merge is undone when it is dropped.
-        let old = put_in_place(&self.staging, &self.destination, &self.disk)?;
+        let old = put_in_place(&self.staging, &self.destination, recorded, &self.disk)?;
         self.published = true;
         if let Some(parent) = self.destination.parent() {
             let _ = self.disk.sync_dir(parent);

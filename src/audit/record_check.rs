@@ -19,6 +19,8 @@ pub struct Policy<'a> {
     pub require_time_sync: bool,
     /// SHA-256 of the only weights that may have been used.
     pub models: Option<&'a [String]>,
+    /// No verdict while an input was not compared.
+    pub require_inputs: bool,
 }
 
 /// A record against a policy: `TIME_UNSYNCED` as an error, `MODEL_NOT_ALLOWED`.
@@ -48,7 +50,7 @@ pub(super) struct Signer<'a> {
     pub algorithm: Algorithm,
 }
 
-/// The key that verified; every signature must be good.
+/// The keys that verified, in the order of their signatures; none unless every signature is good.
 ///
 /// `subject` names the record in findings.
 pub(super) fn check_signatures<'a>(
@@ -56,9 +58,9 @@ pub(super) fn check_signatures<'a>(
     trust: &'a TrustStore,
     subject: &str,
     found: &mut Vec<Finding>,
-) -> Option<Signer<'a>> {
+) -> Vec<Signer<'a>> {
     let message = envelope.pae();
-    let mut signer = None;
+    let mut signers = Vec::new();
     let mut all_good = true;
     for signature in &envelope.signatures {
         let Some(key) = trust.get(&signature.keyid) else {
@@ -72,11 +74,16 @@ pub(super) fn check_signatures<'a>(
             continue;
         };
         match key.verify(&message, &signature.sig) {
-            Ok(Some(algorithm)) => signer = Some(Signer { key, algorithm }),
+            Ok(Some(algorithm)) => signers.push(Signer { key, algorithm }),
             Ok(None) => {
-                found.push(
-                    Finding::new("SIG_INVALID", subject).expected(format!("a signature by {}", key.fingerprint())),
-                );
+                found.push(match key.refused_algorithm(&message, &signature.sig) {
+                    Some(refused) => Finding::new("ALG_REFUSED", subject)
+                        .expected(Algorithm::ALL.map(Algorithm::name).join(" or "))
+                        .actual(refused),
+                    None => {
+                        Finding::new("SIG_INVALID", subject).expected(format!("a signature by {}", key.fingerprint()))
+                    }
+                });
                 all_good = false;
             }
             Err(disagreement) => {
@@ -89,7 +96,13 @@ pub(super) fn check_signatures<'a>(
             }
         }
     }
-    signer.filter(|_| all_good)
+    if all_good { signers } else { Vec::new() }
+}
+
+/// The signer that the record itself names, else the first.
+pub(super) fn own_signer<'a>(signers: &[Signer<'a>], statement: &Statement) -> Option<Signer<'a>> {
+    let named = &statement.predicate.actor.key_fingerprint;
+    signers.iter().find(|s| s.key.fingerprint() == named).or(signers.first()).copied()
 }
 
 /// The record's fields, strictly read; its trail hash is what it should be.
@@ -131,12 +144,13 @@ pub(super) fn check_standing(
 pub(super) fn check_fields(
     statement: &Statement,
     trust: &TrustStore,
-    signer: Option<Signer<'_>>,
+    signers: &[Signer<'_>],
     proven_ms: Option<u64>,
     now_ms: u64,
     found: &mut Vec<Finding>,
 ) {
     let p = &statement.predicate;
+    let signer = own_signer(signers, statement);
     let acceptable = |a: &&Algorithm| signer.is_none_or(|s| s.algorithm == **a);
     let names: Vec<&str> = Algorithm::ALL.iter().filter(acceptable).map(|a| a.name()).collect();
     if !names.contains(&p.actor.algorithm.as_str()) {
@@ -144,9 +158,11 @@ pub(super) fn check_fields(
             Finding::new("ALG_REFUSED", "actor.algorithm").expected(names.join(" or ")).actual(&p.actor.algorithm),
         );
     }
-    if let Some(who @ Signer { key: signer, .. }) = signer {
-        let signed = Signed { stated_ms: time::parse_utc(&p.time.utc).unwrap_or_default(), proven_ms };
-        check_standing(trust, who, signed, statement.marking().as_ref(), "signing key", found);
+    let signed = Signed { stated_ms: time::parse_utc(&p.time.utc).unwrap_or_default(), proven_ms };
+    for who in signers {
+        check_standing(trust, *who, signed, statement.marking().as_ref(), "signing key", found);
+    }
+    if let Some(Signer { key: signer, .. }) = signer {
         if let Some(chain) = trust.chain_of(signer.fingerprint()) {
             let stated = p.actor.cert_chain_sha256.clone().unwrap_or_default();
             if stated != chain.sha256() {

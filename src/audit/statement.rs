@@ -325,6 +325,9 @@ impl Statement {
         same("schema", SCHEMA, &p.schema)?;
         for subject in &self.subject {
             hex("subject.digest.sha256", &subject.digest.sha256, 64)?;
+            if let Some(sha384) = &subject.digest.sha384 {
+                hex("subject.digest.sha384", sha384, 96)?;
+            }
             if subject.annotations.size.parse::<u64>().ok().map(|n| n.to_string()).as_ref()
                 != Some(&subject.annotations.size)
             {

@@ -3,7 +3,8 @@
 //! New files are written into `.orb-merge/new` inside the store, so that every rename stays on one file system. Then a
 //! journal names what will happen, and only then are originals moved to `.orb-merge/old` and new files into place. The
 //! rename of `.orb-merge` to `.orb-merge-done` is the moment from which the new store counts. A run that is killed
-//! before it leaves a journal, and the next one undoes what it says: an old store or a new one, never a mix.
+//! before it leaves a journal, and the next one undoes what it says, unless the folder that belongs to it was published: an
+//! old store or a new one, never a mix.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -12,7 +13,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::disk::{self, Disk};
-use super::record::{self};
+use super::ledger::Recorded;
+use super::record;
 use super::statement::Subject;
 use crate::{Error, Kind, Result};
 
@@ -41,7 +43,7 @@ pub fn lock_store(root: &Path) -> Result<StoreLock> {
 const LOCK_RETRIES: usize = 5;
 const LOCK_PAUSE: std::time::Duration = std::time::Duration::from_millis(20);
 
-fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
+pub(super) fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
     let root = root.canonicalize().map_err(|e| Error::io(root, &e))?;
     if !root.is_dir() {
         return Err(Error::usage(root.display().to_string())
@@ -100,6 +102,24 @@ struct Journal {
     added: Vec<String>,
     /// Folders to make, outer ones first.
     folders: Vec<String>,
+    /// What is published together with the merge, once that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    with: Option<With>,
+}
+
+/// The folder that is published with a merge: where its record stands, the merge counts.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct With {
+    folder: String,
+    trail_hash: String,
+}
+
+impl With {
+    fn is_published(&self) -> bool {
+        let record = super::verify::read_record(Path::new(&self.folder));
+        record.is_ok_and(|(_, statement)| statement.predicate.trail_hash.as_ref() == Some(&self.trail_hash))
+    }
 }
 
 /// New files, staged and checked; the store is as it was. Dropping it leaves the store so.
@@ -156,7 +176,8 @@ fn plan(root: &Path, files: &[orb_formats::File], folders: &[String]) -> Result<
             .found(format!("PATH_REFUSED: {found}"))
             .advice("The store was not touched.")
     };
-    let mut journal = Journal { schema: SCHEMA.into(), replaced: Vec::new(), added: Vec::new(), folders: Vec::new() };
+    let mut journal =
+        Journal { schema: SCHEMA.into(), replaced: Vec::new(), added: Vec::new(), folders: Vec::new(), with: None };
     let mut seen = BTreeSet::new();
     let mut new_folders = BTreeSet::new();
     let parents = files.iter().filter_map(|f| f.path.rsplit_once('/').map(|(parent, _)| parent));
@@ -200,11 +221,19 @@ impl PreparedMerge {
         &self.subjects
     }
 
-    /// Puts the new files into place, undoably.
+    /// Where a new file waits.
+    pub(super) fn staged(&self, name: &str) -> PathBuf {
+        self.lock.root.join(WORK).join("new").join(name)
+    }
+
+    /// Puts the new files into place, undoably, once their record stands. `folder` will be published with them: a run that
+    /// is killed after that has merged, one that is killed before has not.
     ///
     /// # Errors
     /// [`Kind::Environment`]; the store is then as it was, or will be after [`recover`].
-    pub(super) fn apply(&mut self) -> Result<()> {
+    pub(super) fn apply(&mut self, recorded: &Recorded, folder: &Path) -> Result<()> {
+        self.journal.with =
+            Some(With { folder: folder.to_string_lossy().into_owned(), trail_hash: recorded.trail_hash.clone() });
         let result = self.try_apply();
         if result.is_err() {
             // Should this fail too, the journal stays and the next run undoes it.
@@ -256,7 +285,7 @@ impl PreparedMerge {
 
     #[cfg(test)]
     fn commit(mut self) -> Result<()> {
-        self.apply()?;
+        self.apply(super::ledger::tests::recorded(), Path::new("/nowhere"))?;
         self.finish()
     }
 
@@ -267,7 +296,7 @@ impl PreparedMerge {
 
     fn undo(&mut self) -> Result<()> {
         if self.state != State::Finished {
-            recover_locked(&self.lock.root, &self.lock.disk)?;
+            undo_locked(&self.lock.root, &self.lock.disk, |_| false)?;
             self.state = State::Finished;
         }
         Ok(())
@@ -280,9 +309,14 @@ impl Drop for PreparedMerge {
     }
 }
 
-/// Undoes by the journal, if there is one, and sweeps. Every step may already have happened: a run killed here is
-/// continued by the next.
+/// Undoes what a killed run left, unless its folder was published: then the merge had been done too.
 fn recover_locked(root: &Path, disk: &Disk) -> Result<()> {
+    undo_locked(root, disk, |journal| journal.with.as_ref().is_some_and(With::is_published))
+}
+
+/// Undoes by the journal, if there is one that does not count, and sweeps. Every step may already have happened: a run killed
+/// here is continued by the next.
+fn undo_locked(root: &Path, disk: &Disk, counts: impl FnOnce(&Journal) -> bool) -> Result<()> {
     let (work, done) = (root.join(WORK), root.join(DONE));
     if fs::symlink_metadata(&done).is_ok() {
         disk.remove_dir_all(&done)?;
@@ -290,7 +324,7 @@ fn recover_locked(root: &Path, disk: &Disk) -> Result<()> {
     if fs::symlink_metadata(&work).is_err() {
         return Ok(());
     }
-    if let Some(journal) = read_journal(&work)? {
+    if let Some(journal) = read_journal(&work)?.filter(|journal| !counts(journal)) {
         for name in &journal.added {
             // A staged file is at one place or the other.
             let (new, target) = (work.join("new").join(name), root.join(name));

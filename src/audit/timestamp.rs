@@ -250,11 +250,11 @@ mod tests {
     }
     #[test]
     fn beside_a_record() {
+        use crate::audit::by_hand;
         use crate::audit::keys::tests::shared_key;
         use crate::audit::publication::tests::publish;
         use crate::audit::publication::{RECORD, RECORD_STAMP};
         use crate::audit::verify::{Request, verify};
-        use crate::audit::{Policy, by_hand};
         let Some(pki) = Pki::new() else { return };
         pki.sign("tsa", "issuing", "tsa", "20240101000000Z", "20340101000000Z");
         publish(pki.dir.path());
@@ -277,10 +277,7 @@ mod tests {
         };
         let check = |mut trust: TrustStore| {
             trust.insert(shared_key().public().clone());
-            let (now_ms, policy) = (1_763_700_000_000, Policy::default());
-            let request =
-                Request { folder: &out, trust: &trust, inputs: &[], store: None, now_ms, strict: false, policy };
-            let report = verify(&request).unwrap();
+            let report = verify(&Request::new(&out, &trust, 1_763_700_000_000)).unwrap();
             (report.exit_code, report.findings.iter().map(|f| f.code).collect::<Vec<_>>())
         };
         let record = std::fs::read(out.join(RECORD)).unwrap();

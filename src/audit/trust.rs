@@ -228,11 +228,14 @@ fn read_public(path: &Path) -> Result<PublicKey> {
     })
 }
 
-/// Trusts a public key from now on.
-pub(super) fn add(data: &DataFolder, key: &PublicKey) -> Result<()> {
+/// Trusts a public key from now on; false when it was known already.
+pub(super) fn add(data: &DataFolder, key: &PublicKey) -> Result<bool> {
     let path = data.subfolder("trust")?.join(format!("{}.pem", key.fingerprint()));
     // What is there under this name must be this key, or the store would not load.
-    if path.exists() { Ok(()) } else { write_whole(&path, key.to_pem().as_bytes()) }
+    if path.exists() {
+        return Ok(false);
+    }
+    write_whole(&path, key.to_pem().as_bytes()).map(|()| true)
 }
 
 /// Takes a public key, an authority's certificate or a revocation list (PEM) into the user's trust store, with what is said

@@ -19,8 +19,8 @@ use super::publication::{
     RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, RECORD_STAMP, SEAL_FILES, STORE_PREFIX,
 };
 use super::record;
-use super::record_check::{Policy, check_fields, check_policy, check_signatures, read_statement};
-use super::report::{Counts, Finding, Range, Report};
+use super::record_check::{Policy, check_fields, check_policy, check_signatures, own_signer, read_statement};
+use super::report::{Counts, Finding, Range, Report, Severity, Verdict};
 use super::statement::{Statement, Subject};
 use super::time;
 use super::timestamp::{self, Refused};
@@ -37,6 +37,8 @@ pub struct Request<'a> {
     pub trust: &'a TrustStore,
     /// Files that the run is said to have read.
     pub inputs: &'a [PathBuf],
+    /// Network weights that the run is said to have used: files, or folders of one network each.
+    pub weights: &'a [PathBuf],
     /// The root of the store that the run merged into.
     pub store: Option<&'a Path>,
     /// This machine's time, milliseconds since 1970.
@@ -44,6 +46,14 @@ pub struct Request<'a> {
     /// Warnings count as errors.
     pub strict: bool,
     pub policy: Policy<'a>,
+}
+
+impl<'a> Request<'a> {
+    /// The folder alone, without a policy.
+    pub fn new(folder: &'a Path, trust: &'a TrustStore, now_ms: u64) -> Request<'a> {
+        let (inputs, weights, store, strict, policy) = (&[], &[], None, false, Policy::default());
+        Request { folder, trust, inputs, weights, store, now_ms, strict, policy }
+    }
 }
 
 /// Verifies a published folder.
@@ -60,16 +70,16 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
     let mut report = Report::new(request.trust);
     if let Some(envelope) = read_envelope(request.folder, &mut found)? {
         let trust = &with_chain(request, &mut found)?;
-        let signer = check_signatures(&envelope, trust, RECORD, &mut found);
+        let signers = check_signatures(&envelope, trust, RECORD, &mut found);
         check_seal_files(request.folder, &envelope, &mut found)?;
         let stamp = check_stamp(request, &mut found)?;
         if let Some(statement) = read_statement(&envelope, RECORD, &mut found) {
-            check_fields(&statement, trust, signer, stamp, request.now_ms, &mut found);
+            check_fields(&statement, trust, &signers, stamp, request.now_ms, &mut found);
             check_policy(&statement, request.policy, &mut found);
             check_proof(request, trust, &statement, &mut found)?;
             report.counts = check_files(request, &statement, &mut found)?;
             report.counts.records = 1;
-            if let Some(signer) = signer {
+            if let Some(signer) = own_signer(&signers, &statement) {
                 found.push(Finding::new("TAIL_UNANCHORED", RECORD));
                 let p = &statement.predicate;
                 report.ledger_id = Some(p.chain.ledger_id.clone());
@@ -300,7 +310,8 @@ fn check_files(request: &Request<'_>, statement: &Statement, found: &mut Vec<Fin
         found.push(Finding::new("STORE_NOT_CHECKED", "store").actual(format!("{store_unchecked} files not checked")));
     }
     check_extras(request.folder, statement, found)?;
-    counts.inputs_verified = check_inputs(request.inputs, statement, found)?;
+    counts.inputs_verified = check_inputs(request, statement, found)?;
+    check_weights(request.weights, statement, found)?;
     Ok(counts)
 }
 
@@ -344,6 +355,11 @@ fn check_output(
         let (_, sha256) = disk::hash_file(&path).map_err(|e| Error::io(&path, &e))?;
         if sha256 != subject.digest.sha256 {
             found.push(Finding::new("OUTPUT_DIGEST", &subject.name).expected(&subject.digest.sha256).actual(sha256));
+        } else if let Some(expected) = &subject.digest.sha384 {
+            let sha384 = disk::sha384_file(&path)?;
+            if sha384 != *expected {
+                found.push(Finding::new("OUTPUT_DIGEST", &subject.name).expected(expected).actual(sha384));
+            }
         }
     }
     if let Some(marking) = marking
@@ -377,10 +393,10 @@ fn check_extras(folder: &Path, statement: &Statement, found: &mut Vec<Finding>) 
 }
 
 /// How many of the record's inputs are among the files given.
-fn check_inputs(files: &[PathBuf], statement: &Statement, found: &mut Vec<Finding>) -> Result<u64> {
+fn check_inputs(request: &Request<'_>, statement: &Statement, found: &mut Vec<Finding>) -> Result<u64> {
     let inputs = &statement.predicate.inputs;
     let mut by_hash: BTreeMap<&str, bool> = inputs.iter().map(|i| (i.sha256.as_str(), false)).collect();
-    for path in files {
+    for path in request.inputs {
         let (_, sha256) = disk::hash_file(path).map_err(|e| Error::io(path, &e))?;
         match by_hash.get_mut(sha256.as_str()) {
             Some(seen) => *seen = true,
@@ -396,9 +412,26 @@ fn check_inputs(files: &[PathBuf], statement: &Statement, found: &mut Vec<Findin
     }
     let checked = |sha256: &str| by_hash.get(sha256).copied().unwrap_or(false);
     for input in inputs.iter().filter(|i| !checked(&i.sha256)) {
-        found.push(Finding::new("INPUT_MISSING", &input.name).expected(&input.sha256).actual("not checked"));
+        let mut finding = Finding::new("INPUT_MISSING", &input.name).expected(&input.sha256).actual("not checked");
+        if request.policy.require_inputs {
+            (finding.severity, finding.verdict) = (Severity::Error, Verdict::Incomplete);
+        }
+        found.push(finding);
     }
     Ok(inputs.iter().filter(|i| checked(&i.sha256)).count() as u64)
+}
+
+/// Weights that the record does not name.
+fn check_weights(paths: &[PathBuf], statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+    let pins: Vec<&str> = statement.predicate.models.iter().filter_map(|m| m.weights_sha256.as_deref()).collect();
+    for path in paths {
+        let sha256 = crate::models::registry::weights_sha256(path)?;
+        if !pins.contains(&sha256.as_str()) {
+            let finding = Finding::new("MODEL_DIGEST", path.display().to_string());
+            found.push(finding.expected(pins.join(", ")).actual(sha256));
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

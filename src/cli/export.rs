@@ -120,7 +120,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    let mut run = SealedRun::begin(&output, args.replace, handling, &args.key, args.quiet)?;
+    let mut run = SealedRun::begin("orb export", &output, args.replace, handling, &args.key, args.quiet)?;
     let target = args.write.target(&output, &stem)?;
     let bar = Bar::new(stop, args.quiet);
 
@@ -159,7 +159,6 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let role = if imported.gaussians.is_some() { "scene" } else { "model" };
     let published = run.seal(Evidence {
         event_type: "scene.export",
-        command: "orb export",
         time: reading,
         inputs: vec![record::input(&name, &bytes, media_type(&bytes), role, own)],
         models: Vec::new(),

@@ -263,7 +263,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let handling = args.marking.decide(&inputs, &time::now()?.utc())?;
     let product = handling.marking.clone();
 
-    let mut run = SealedRun::begin(&plan.output, args.replace, handling, &args.key, args.quiet)?;
+    let mut run = SealedRun::begin("orb geo", &plan.output, args.replace, handling, &args.key, args.quiet)?;
     let target = args.write.target(&plan.output, &plan.stem)?;
 
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -339,7 +339,6 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
 
     let published = run.seal(Evidence {
         event_type: "scene.generate",
-        command: "orb geo",
         time: reading,
         inputs: [
             vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
@@ -390,14 +389,9 @@ pub(super) fn models(outcome: &Outcome, device: &str) -> Vec<Model> {
         [&prior::SCENE, &prior::SPLAT]
             .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
     );
-    all.extend(outcome.ran().map(|ran| {
-        let m = &ran.manifest;
-        Model {
-            licence: Some(m.licence.clone()),
-            pin_source: Some(m.pin_source().into()),
-            ..record::model(&m.id, &m.version, &m.weights_sha256(), m.bytes(), &ran.runtime)
-        }
-    }));
+    all.extend(
+        outcome.ran().map(|ran| Model { runtime: Some(ran.runtime.clone()), ..super::models::recorded(&ran.manifest) }),
+    );
     // The optimisation: a program, no weights; its version is the program's.
     all.push(Model {
         status: None,

@@ -26,8 +26,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Parser, Subcommand};
 
-use crate::audit::statement::Outcome::Failure;
-use crate::audit::{DataFolder, events};
+use crate::audit::DataFolder;
+use crate::audit::events::{self, Happened};
 
 /// One photo becomes a 3D model that a simulator loads at the right place on the Earth, with a marking, a signed
 /// record and no network.
@@ -93,7 +93,8 @@ pub fn main() -> ExitCode {
         Verb::Render(_) => Some("orb render"),
         Verb::Export(_) => Some("orb export"),
         Verb::Models(_) => Some("orb models"),
-        Verb::Bench(_) | Verb::Cdb(_) | Verb::Doctor(_) | Verb::Audit(_) => None,
+        Verb::Audit(args) => args.recorded_as(),
+        Verb::Bench(_) | Verb::Cdb(_) | Verb::Doctor(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
@@ -144,8 +145,11 @@ pub fn main() -> ExitCode {
 /// A failed run is an event too. What went wrong with recording it never hides what went wrong with the run.
 fn record_failure(command: &str, error: &crate::Error) {
     let Some((kind, code)) = events::of_failure(error) else { return };
-    let recorded = DataFolder::from_environment(|name| std::env::var_os(name))
-        .and_then(|data| events::log(&data, kind, command, Failure, Some(&code)));
+    // A verification that could not even begin leaves no more traces than one that could.
+    let begins_a_ledger = !command.starts_with("orb audit");
+    let happened = Happened { begins_a_ledger, ..Happened::new(kind, command).failed(Some(&code)) };
+    let recorded =
+        DataFolder::from_environment(|name| std::env::var_os(name)).and_then(|data| events::log(&data, &happened));
     if let Err(e) = recorded {
         eprintln!("orb: warning: the failure was not recorded: {e}");
     }

@@ -7,7 +7,9 @@ use clap::{Args, Subcommand};
 
 use super::audit::Outcome;
 use super::networks::{EngineArgs, registry};
-use crate::audit::DataFolder;
+use crate::audit::events::{self, Happened};
+use crate::audit::statement::Model;
+use crate::audit::{DataFolder, record};
 use crate::models::registry::catalogue::{Catalogue, DepthKind};
 use crate::models::registry::{Import, Manifest, Registry, import};
 use crate::{Error, Result};
@@ -98,7 +100,7 @@ pub fn run(args: &ModelsArgs, data: &DataFolder) -> Result<Outcome> {
             let manifest = registry.get(&args.id)?;
             if args.json { json(&manifest)? } else { described(&manifest, &registry) }
         }
-        ModelsVerb::Remove(args) => format!("removed      {}\n", registry.remove(&args.id)?.display()),
+        ModelsVerb::Remove(args) => remove(args, data, &registry)?,
     };
     Ok(Outcome { text, exit_code: 0 })
 }
@@ -117,7 +119,28 @@ fn run_import(args: &ImportArgs, data: &DataFolder, registry: &Registry) -> Resu
         ..Import::default()
     };
     let manifest = import(registry, &request, &*engine, &mut say)?;
+    let imported = Happened::new("model.import", "orb models import");
+    events::log(data, &Happened { models: vec![recorded(&manifest)], ..imported })?;
     Ok(described(&manifest, registry))
+}
+
+fn remove(args: &RemoveArgs, data: &DataFolder, registry: &Registry) -> Result<String> {
+    // A damaged manifest does not keep a network from being removed.
+    let models = registry.get(&args.id).iter().map(recorded).collect();
+    let folder = registry.remove(&args.id)?;
+    let removed = Happened::new("model.remove", "orb models remove").to("network", &args.id);
+    events::log(data, &Happened { models, ..removed })?;
+    Ok(format!("removed      {}\n", folder.display()))
+}
+
+/// A network as records name it.
+pub(super) fn recorded(m: &Manifest) -> Model {
+    Model {
+        licence: Some(m.licence.clone()),
+        runtime: None,
+        pin_source: Some(m.pin_source().into()),
+        ..record::model(&m.id, &m.version, &m.weights_sha256(), m.bytes(), "")
+    }
 }
 
 fn list(args: &ListArgs, registry: &Registry) -> Result<String> {

@@ -67,7 +67,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
-    let mut sealed = SealedRun::begin(&output, args.replace, handling, &args.key, args.quiet)?;
+    let mut sealed = SealedRun::begin("orb reconstruct", &output, args.replace, handling, &args.key, args.quiet)?;
     let gpu = args.device.open_quietly(&mut |line| {
         if !args.quiet {
             eprintln!("orb: {line}");
@@ -100,7 +100,6 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let report = &done.report;
     let published = sealed.seal(Evidence {
         event_type: "scene.reconstruct",
-        command: "orb reconstruct",
         time: time::now()?,
         inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
         models: geo::models(&done.sources, &report.device),

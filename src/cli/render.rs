@@ -72,7 +72,7 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let input = record::input(&name, &bytes, "application/ply", "scene", own);
-    let mut sealed = SealedRun::begin(&args.output, args.replace, handling, &args.key, args.quiet)?;
+    let mut sealed = SealedRun::begin("orb render", &args.output, args.replace, handling, &args.key, args.quiet)?;
     let bar = Bar::new(stop, args.quiet);
     let mut say = |line: &str| {
         if !args.quiet {
@@ -89,7 +89,6 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     run(args, &bar, &mut say, &mut put)?;
     let published = sealed.seal(Evidence {
         event_type: "scene.render",
-        command: "orb render",
         time: time::now()?,
         inputs: vec![input],
         models: Vec::new(),

@@ -7,11 +7,12 @@ use super::key::KeyArgs;
 use crate::audit::marking::handling::Handling;
 use crate::audit::statement::{Input, Model, Param};
 use crate::audit::{DataFolder, Destination, Ledger, Publication, Published, RecordDraft, SigningKey};
-use crate::audit::{TimeReading, keys, time};
+use crate::audit::{TimeReading, events, time};
 use crate::{Error, Result};
 
 /// A run that may publish, from its first check to its seal. Dropped before that, nothing of it remains.
 pub struct SealedRun {
+    command: &'static str,
     data: DataFolder,
     key: SigningKey,
     handling: Handling,
@@ -23,7 +24,6 @@ pub struct SealedRun {
 /// What the run did.
 pub struct Evidence {
     pub event_type: &'static str,
-    pub command: &'static str,
     pub time: TimeReading,
     pub inputs: Vec<Input>,
     pub models: Vec<Model>,
@@ -31,14 +31,21 @@ pub struct Evidence {
 }
 
 impl SealedRun {
-    /// Finds or makes the key, checks the output folder, begins to stage. Call it before any work.
+    /// Finds or makes the key for `command`, checks the output folder, begins to stage. Call it before any work.
     ///
     /// # Errors
-    /// As [`keys::for_marking`] and [`Publication::begin`].
-    pub fn begin(folder: &Path, replace: bool, handling: Handling, key: &KeyArgs, quiet: bool) -> Result<SealedRun> {
+    /// As [`events::key_for_run`] and [`Publication::begin`].
+    pub fn begin(
+        command: &'static str,
+        folder: &Path,
+        replace: bool,
+        handling: Handling,
+        key: &KeyArgs,
+        quiet: bool,
+    ) -> Result<SealedRun> {
         let ntp_server = key.ntp_server.clone();
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-        let key = keys::for_marking(&data, &handling.marking, key.named())?;
+        let key = events::key_for_run(&data, command, &handling.marking, key.named())?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");
         }
@@ -55,7 +62,7 @@ impl SealedRun {
         let nonce = u64::from_le_bytes(nonce);
         let destination = Destination { folder: folder.to_owned(), replace, handling: handling.clone(), nonce };
         let publication = Publication::begin(&destination)?;
-        Ok(SealedRun { data, key: key.key, handling, event_random, ntp_server, publication })
+        Ok(SealedRun { command, data, key: key.key, handling, event_random, ntp_server, publication })
     }
 
     /// Signs, appends to the ledger, publishes.
@@ -63,7 +70,7 @@ impl SealedRun {
     /// # Errors
     /// As [`Publication::seal`].
     pub fn seal(self, evidence: Evidence) -> Result<Published> {
-        let Evidence { event_type, command, time, inputs, models, params } = evidence;
+        let Evidence { event_type, time, inputs, models, params } = evidence;
         let time = match &self.ntp_server {
             None => time,
             // Asked now, for when the record is made; the run began a while ago.
@@ -73,7 +80,7 @@ impl SealedRun {
             inputs,
             models,
             params,
-            ..RecordDraft::event(event_type, command, time, self.event_random, self.handling)
+            ..RecordDraft::event(event_type, self.command, time, self.event_random, self.handling)
         };
         let mut ledger = Ledger::open(&self.data)?;
         self.publication.seal(&draft, &self.key, &mut ledger)

@@ -1,5 +1,4 @@
 use super::*;
-use crate::audit::Policy;
 use crate::audit::TrustStore;
 use crate::audit::keys::tests::shared_key;
 use crate::audit::publication::tests::publish;
@@ -16,16 +15,7 @@ fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl FnOnce(&Evid
     if trusted {
         trust.insert(shared_key().public().clone());
     }
-    let request = Request {
-        folder: &folder,
-        trust: &trust,
-        inputs: &[],
-        store: None,
-        now_ms: NOW_MS,
-        strict: false,
-        policy: Policy::default(),
-    };
-    let report = verify(&request).unwrap();
+    let report = verify(&Request::new(&folder, &trust, NOW_MS)).unwrap();
     let records = [read_record(&folder).unwrap().1];
     look(&Evidence { report: &report, records: &records, folder: Some(&folder), as_of_ms: NOW_MS });
 }

@@ -119,10 +119,10 @@ fn quality(statement: &Statement) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::TrustStore;
     use crate::audit::keys::tests::shared_key;
     use crate::audit::publication::tests::publish;
     use crate::audit::verify::{Request, read_record, verify};
-    use crate::audit::{Policy, TrustStore};
 
     #[test]
     fn observations_and_no_claims() {
@@ -132,16 +132,7 @@ mod tests {
         let mut trust = TrustStore::default();
         trust.insert(shared_key().public().clone());
         let now_ms = 1_763_700_000_000;
-        let request = Request {
-            folder: &folder,
-            trust: &trust,
-            inputs: &[],
-            store: None,
-            now_ms,
-            strict: false,
-            policy: Policy::default(),
-        };
-        let report = verify(&request).unwrap();
+        let report = verify(&Request::new(&folder, &trust, now_ms)).unwrap();
         let (_, statement) = read_record(&folder).unwrap();
         let value = assessment_results(&report, &statement, "2025-11-21T04:40:00.000Z");
         let result = &value["assessment-results"]["results"][0];

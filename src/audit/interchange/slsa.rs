@@ -12,8 +12,7 @@ const BUILDER: &str = "https://orb.invalid/orb/cli";
 /// An in-toto statement with the provenance predicate; unsigned, as the record's own signature covers other bytes.
 pub fn provenance(statement: &Statement) -> Value {
     let p = &statement.predicate;
-    let subjects: Vec<Value> =
-        statement.subject.iter().map(|s| json!({"name": s.name, "digest": {"sha256": s.digest.sha256}})).collect();
+    let subjects: Vec<Value> = statement.subject.iter().map(|s| json!({"name": s.name, "digest": s.digest})).collect();
     let inputs = p.inputs.iter().map(|i: &Input| json!({"name": i.name, "digest": {"sha256": i.sha256}}));
     let weights = p.models.iter().filter_map(|m: &Model| {
         let sha256 = m.weights_sha256.as_ref()?;

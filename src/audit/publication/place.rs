@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use super::{RECORD, SEAL_FILES};
 use crate::audit::disk::{self, Disk};
 use crate::audit::dsse::{Envelope, MAX_ENVELOPE_BYTES};
+use crate::audit::ledger::Recorded;
 use crate::audit::statement::Statement;
 use crate::{Error, Result};
 
@@ -72,8 +73,14 @@ fn listed_names(record_path: &Path) -> Result<BTreeSet<String>> {
     Ok(names.chain(SEAL_FILES.map(str::to_owned)).collect())
 }
 
-/// Renames the staging folder to its destination; an older folder that stood there is returned under its new name.
-pub(super) fn put_in_place(staging: &Path, destination: &Path, disk: &Disk) -> Result<Option<PathBuf>> {
+/// Renames the staging folder to its destination, once its record stands; an older folder that stood there is returned under
+/// its new name.
+pub(super) fn put_in_place(
+    staging: &Path,
+    destination: &Path,
+    _recorded: &Recorded,
+    disk: &Disk,
+) -> Result<Option<PathBuf>> {
     if fs::symlink_metadata(destination).is_err() {
         return disk.rename(staging, destination).map(|()| None);
     }

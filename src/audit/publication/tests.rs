@@ -4,11 +4,15 @@ use std::path::Path;
 use super::*;
 use crate::Kind;
 use crate::audit::Marking;
+use crate::audit::TrustStore;
 use crate::audit::data_folder::DataFolder;
 use crate::audit::disk::fault::Plan;
+use crate::audit::keys::KeySource;
 use crate::audit::keys::tests::shared_key;
+use crate::audit::ledger_check::reconcile;
 use crate::audit::record::tests::draft;
 use crate::audit::store_merge::{lock_store, merge_into_store};
+use crate::audit::verify::{Request, verify};
 
 pub(crate) fn destination(folder: &Path) -> Destination {
     Destination { folder: folder.into(), replace: false, handling: Marking::UNCLASSIFIED.into(), nonce: 7 }
@@ -207,6 +211,145 @@ fn a_failure_leaves_destination_and_store_as_they_were() {
         }
     }
     assert!(failures >= 8, "{failures}");
+}
+
+/// Starts this test program again for one ignored test, in which the process kills itself at disk operation `at`. True when
+/// it was killed.
+#[cfg(unix)]
+fn killed_at(test: &str, dir: &Path, at: u64) -> bool {
+    use std::os::unix::process::ExitStatusExt as _;
+    let name = format!("audit::publication::tests::{test}");
+    let done = std::process::Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", &name, "--ignored", "--test-threads=1"])
+        .env("ORB_TEST_KILL_DIR", dir)
+        .env("ORB_TEST_KILL_AT", at.to_string())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&done.stdout);
+    assert!(done.status.signal() == Some(libc::SIGKILL) || said.contains("1 passed"), "operation {at}: {said}");
+    !done.status.success()
+}
+
+/// In the process to be killed: where it works, its key, its disk.
+#[cfg(unix)]
+fn to_be_killed() -> Option<(PathBuf, SigningKey, Disk)> {
+    let dir = PathBuf::from(std::env::var_os("ORB_TEST_KILL_DIR")?);
+    let at = std::env::var("ORB_TEST_KILL_AT").unwrap().parse().unwrap();
+    let key = SigningKey::load(&dir.join("data/key.pem"), KeySource::NamedFile).unwrap();
+    Some((dir, key, Disk { fault: Some(Plan::killing(at)) }))
+}
+
+#[cfg(unix)]
+#[test]
+#[ignore = "runs in a process of its own, which is killed"]
+fn a_publication_to_be_killed() {
+    let Some((dir, key, disk)) = to_be_killed() else { return };
+    let to = Destination { replace: true, ..destination(&dir.join("out")) };
+    let mut publication = Publication::begin_with(&to, disk.clone()).unwrap();
+    publication.add("a/new.bin", b"new", "application/octet-stream", "x").unwrap();
+    let lock = crate::audit::store_merge::lock_with(&dir.join("store"), disk.clone()).unwrap();
+    publication.merge(merge_into_store(lock, &merge_files(), &[]).unwrap()).unwrap();
+    let mut ledger = ledger(&dir).with_disk(disk);
+    publication.seal(&later(1), &key, &mut ledger).unwrap();
+}
+
+/// Another run, a minute later.
+#[cfg(unix)]
+fn later(n: u8) -> RecordDraft {
+    let mut draft = draft();
+    draft.time.unix_ms += 60_000 * u64::from(n);
+    draft.event_random[0] = n;
+    draft
+}
+
+#[cfg(unix)]
+fn keep_key(dir: &Path) {
+    shared_key().save(&dir.join("data/key.pem"), None).unwrap();
+}
+
+/// SIGKILL at every operation of a publication into a folder and a store: record, ledger, head, proof, both renames. What the
+/// next run finds is the old result or the new one, whole, and the store that belongs to it.
+#[cfg(unix)]
+#[test]
+fn a_kill_at_every_operation() {
+    let (mut olds, mut news) = (0, 0);
+    for at in 0.. {
+        let dir = tempfile::tempdir().unwrap();
+        let dir = dir.path();
+        publish(dir);
+        keep_key(dir);
+        let (out, store) = (dir.join("out"), dir.join("store"));
+        fs::create_dir(&store).unwrap();
+        fs::write(store.join("there.txt"), "old").unwrap();
+        let killed = killed_at("a_publication_to_be_killed", dir, at);
+
+        // What a next run does before anything else.
+        drop(Publication::begin(&Destination { replace: true, nonce: 8, ..destination(&out) }).unwrap());
+        crate::audit::recover(&store).unwrap();
+        assert!(!names(dir).iter().any(|n| n.contains(".orb")), "operation {at}: {:?}", names(dir));
+        let is_new = out.join("a/new.bin").exists();
+        assert_eq!(fs::read(store.join("there.txt")).unwrap() == b"new", is_new, "operation {at}");
+        assert_eq!(store.join("added/too.txt").exists(), is_new, "operation {at}");
+        let mut trust = TrustStore::default();
+        trust.insert(shared_key().public().clone());
+        let request = Request { store: Some(&store), ..Request::new(&out, &trust, 1_763_700_000_000) };
+        let report = verify(&request).unwrap();
+        assert_eq!(report.exit_code, 0, "operation {at}: {}", report.to_text());
+
+        let mut ledger = ledger(dir);
+        let append = |ledger: &mut Ledger| {
+            let make = |next| record::seal(&later(2), Vec::new(), Outcome::Failure, None, next, shared_key());
+            ledger.append(shared_key(), make, |_, _| Ok(())).unwrap();
+        };
+        append(&mut ledger);
+        let chain = ledger.read_chain().unwrap();
+        assert!(chain.len() == 3 || (chain.len() == 2 && !is_new), "operation {at}: {} records", chain.len());
+        assert!(chain.iter().any(|s| s.predicate.trail_hash == report.trail_hash));
+        let report = reconcile(ledger.path(), &[dir.to_owned()], &trust).unwrap();
+        assert_eq!(report.exit_code, 0, "operation {at}: {}", report.to_text());
+        *if is_new { &mut news } else { &mut olds } += 1;
+        if !killed {
+            break;
+        }
+    }
+    assert!(olds > 30 && news > 3, "{olds} {news}");
+}
+
+#[cfg(unix)]
+#[test]
+#[ignore = "runs in a process of its own, which is killed"]
+fn an_archive_to_be_killed() {
+    let Some((dir, key, disk)) = to_be_killed() else { return };
+    let ledger = ledger(&dir).with_disk(disk);
+    crate::audit::archive::close(ledger, &dir.join("archive"), &key, later(1).time, [9; 10]).unwrap();
+}
+
+/// SIGKILL at every operation of closing a ledger: it stands whole at the old place or at the new one, and a next run goes on.
+#[cfg(unix)]
+#[test]
+fn a_kill_at_every_operation_of_an_archive() {
+    for at in 0.. {
+        let dir = tempfile::tempdir().unwrap();
+        let dir = dir.path();
+        publish(dir);
+        keep_key(dir);
+        let killed = killed_at("an_archive_to_be_killed", dir, at);
+        let mut ledger = ledger(dir);
+        let archived = dir.join("archive/orb-ledger.jsonl");
+        assert!(ledger.path().is_file() != archived.is_file(), "operation {at}");
+        let before = if archived.is_file() { Ledger::at(archived).read_chain().unwrap().len() } else { 0 };
+        let make = |next| record::seal(&later(2), Vec::new(), Outcome::Success, None, next, shared_key());
+        ledger.append(shared_key(), make, |_, _| Ok(())).unwrap();
+        let now = ledger.read_chain().unwrap().len();
+        assert!(
+            if before > 0 { (before, now) == (2, 1) } else { now == 2 || now == 3 },
+            "operation {at}: {before} {now}"
+        );
+        if !killed {
+            assert!(at > 8, "{at} operations");
+            break;
+        }
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@ use std::io::ErrorKind;
 
 use super::*;
 use crate::audit::disk::fault::Plan;
+use crate::audit::ledger::tests::recorded;
 
 /// Paths and bytes; folders end in `/`.
 type Tree = BTreeMap<String, Vec<u8>>;
@@ -134,7 +135,7 @@ fn dropped_or_rolled_back_means_untouched() {
     assert_eq!(tree(dir.path()), old);
     let mut merge = merge_into_store(lock_store(dir.path()).unwrap(), &files, &folders).unwrap();
     assert_eq!(merge.subjects().len(), 4);
-    merge.apply().unwrap();
+    merge.apply(recorded(), Path::new("/nowhere")).unwrap();
     assert_ne!(tree(dir.path()), old);
     merge.rollback().unwrap();
     assert_eq!(tree(dir.path()), old);

@@ -174,7 +174,7 @@ impl Pki {
     }
 
     /// A list of the issuing authority that names the signer's certificate, revoked now, or at `compromised`.
-    fn revoke(&self, compromised: Option<&str>) -> PathBuf {
+    pub fn revoke(&self, compromised: Option<&str>) -> PathBuf {
         let mut args = vec!["ca", "-config", "ca.cnf", "-keyfile", "issuing.key", "-cert", "issuing.pem"];
         args.extend(["-revoke", "leaf.pem"]);
         match compromised {
@@ -275,8 +275,7 @@ fn a_folder_and_a_ledger_signed_under_an_authority() {
 
     let now_ms = 1_763_700_000_000;
     let check = |trust: &TrustStore| {
-        let request =
-            Request { folder: &out, trust, inputs: &[], store: None, now_ms, strict: true, policy: Policy::default() };
+        let request = Request { strict: true, ..Request::new(&out, trust, now_ms) };
         verify(&request).unwrap()
     };
     let trust = store_with(&pki, &[]);

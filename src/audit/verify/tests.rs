@@ -25,7 +25,7 @@ fn trusting(keys: &[&SigningKey]) -> TrustStore {
 }
 
 fn request<'a>(folder: &'a Path, trust: &'a TrustStore) -> Request<'a> {
-    Request { folder, trust, inputs: &[], store: None, now_ms: NOW_MS, strict: false, policy: Policy::default() }
+    Request::new(folder, trust, NOW_MS)
 }
 
 /// A folder published with the shared key, in `dir/out`.
@@ -396,11 +396,41 @@ fn a_verifier_may_ask_for_more() {
     let with = |policy| verify(&Request { policy, ..request(&out, &trust) }).unwrap();
     let weights = canonical::sha256_hex(b"w");
     let (listed, other) = ([weights.clone()], [canonical::sha256_hex(b"other")]);
-    let strict = Policy { require_time_sync: true, models: Some(&listed) };
+    let strict = Policy { require_time_sync: true, models: Some(&listed), ..Policy::default() };
     assert_eq!((with(strict).exit_code, codes(&with(strict))), (0, vec![]));
     let refused = with(Policy { models: Some(&other), ..strict });
     assert_eq!((refused.exit_code, codes(&refused)), (4, vec!["MODEL_NOT_ALLOWED"]));
     forge(&out, shared_key(), |v| v["predicate"]["time"]["sync_status"] = json!("unsynchronised"));
     assert_eq!(check(&out).exit_code, 0);
     assert_eq!((with(strict).exit_code, codes(&with(strict))), (4, vec!["TIME_UNSYNCED"]));
+}
+
+#[test]
+fn a_second_digest_where_the_algorithm_asks_for_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let (out, store) = (dir.path().join("out"), dir.path().join("store"));
+    let path = dir.path().join("unit.pem");
+    shared_key().save(&path, None).unwrap();
+    let key = SigningKey::load(&path, crate::audit::keys::KeySource::NamedFile).unwrap();
+    let key = key.with_algorithm(crate::audit::keys::Algorithm::Rs384).unwrap();
+    fs::create_dir(&store).unwrap();
+    let mut publication = Publication::begin(&destination(&out)).unwrap();
+    fill(&mut publication).unwrap();
+    let file = orb_formats::File { path: "a.txt".into(), bytes: b"a".to_vec(), media_type: "text/plain" };
+    publication.merge(merge_into_store(lock_store(&store).unwrap(), &[file], &[]).unwrap()).unwrap();
+    publication.seal(&draft(), &key, &mut ledger(dir.path())).unwrap();
+    let trust = trusting(&[shared_key()]);
+    let with_store = || verify(&Request { store: Some(&store), ..request(&out, &trust) }).unwrap();
+    let report = with_store();
+    assert_eq!((codes(&report), report.exit_code), (vec![], 0), "{}", report.to_text());
+    let (_, statement) = read_record(&out).unwrap();
+    let stored = statement.subject.iter().find(|s| s.name == "store:a.txt").unwrap();
+    // FIPS 180-4, SHA-384 of "a".
+    let known = "54a59b9f22b0b80880d8427e548b7c23abd873486e1f035dce9cd697e85175033caa88e6d57bc35efae0b5afd3145f31";
+    assert_eq!(stored.digest.sha384.as_deref(), Some(known));
+    assert!(statement.subject.iter().all(|s| s.digest.sha384.is_some()));
+    forge(&out, &key, |v| v["subject"][0]["digest"]["sha384"] = json!(known));
+    assert_eq!(codes(&with_store()), ["OUTPUT_DIGEST"]);
+    forge(&out, &key, |v| v["subject"][0]["digest"]["sha384"] = json!("54a5"));
+    assert_eq!(codes(&with_store())[0], "SCHEMA_INVALID");
 }

@@ -9,7 +9,7 @@ use crate::audit::disk::Disk;
 use crate::audit::interchange::{civium, oscal, slsa};
 use crate::audit::report::Verdict;
 use crate::audit::verify::{Request, read_record, verify};
-use crate::audit::{DataFolder, Policy, TrustStore, time};
+use crate::audit::{DataFolder, TrustStore, events, time};
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -41,16 +41,8 @@ pub enum System {
 pub fn run(args: &ExportArgs, data: &DataFolder) -> Result<Outcome> {
     let trust = &TrustStore::load(data, &args.trust_key)?;
     let now_ms = time::now()?.unix_ms;
-    let request = Request {
-        folder: &args.folder,
-        trust,
-        inputs: &[],
-        store: None,
-        now_ms,
-        strict: false,
-        policy: Policy::default(),
-    };
-    let report = verify(&request)?;
+    let report = verify(&Request::new(&args.folder, trust, now_ms))?;
+    events::log_verdict(data, "orb audit export", &report);
     if report.verdict != Verdict::Pass {
         return Ok(Outcome { text: report.to_text(), exit_code: report.exit_code });
     }

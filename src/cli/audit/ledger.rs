@@ -6,7 +6,8 @@ use clap::{Args, Subcommand};
 
 use super::Outcome;
 use crate::audit::disk::Disk;
-use crate::audit::keys::{self, KeySource};
+use crate::audit::events::{self, Happened};
+use crate::audit::keys::KeySource;
 use crate::audit::ledger_check::{self, LedgerRequest};
 use crate::audit::{DataFolder, Ledger, Marking, Policy, SigningKey, TrustStore, archive, time};
 use crate::cli::key::KeyArgs;
@@ -109,14 +110,15 @@ fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         require_anchor: args.require_anchor,
         now_ms: time::now()?.unix_ms,
         strict: args.strict,
-        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref() },
+        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref(), require_inputs: false },
     })?;
+    events::log_verdict(data, "orb audit ledger verify", &report);
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
 fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
-    let key = key(&args.key, data)?;
+    let key = key("orb audit ledger checkpoint", &args.key, data)?;
     let made = Ledger::at(ledger_path(None, data)).checkpoint()?.ok_or_else(|| {
         Error::incomplete("the ledger")
             .expected("at least one record")
@@ -125,6 +127,14 @@ fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
     })?;
     let line = made.sign(&key)?.to_line();
     Disk::default().write_new(&args.output, &line)?;
+    let signed = Happened::new("ledger.checkpoint", "orb audit ledger checkpoint");
+    events::log(
+        data,
+        &signed
+            .to("key_fingerprint", key.public().fingerprint())
+            .to("root", &made.root)
+            .to("size", made.size.to_string()),
+    )?;
     let text = format!(
         "{}\n  ledger {}, {} records through {}\n  root   {}\n  head   {}\n  Keep it where the ledger's owner cannot \
          change it; the root alone, on paper, serves too.\n",
@@ -139,7 +149,7 @@ fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
-    let key = key(&args.key, data)?;
+    let key = key("orb audit ledger archive", &args.key, data)?;
     let mut random = [0; 10];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
     let ledger = Ledger::at(ledger_path(None, data));
@@ -156,6 +166,7 @@ fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
 fn reconcile(args: &ReconcileArgs, data: &DataFolder) -> Result<Outcome> {
     let ledger = ledger_path(args.ledger.as_deref(), data);
     let report = ledger_check::reconcile(&ledger, &args.folders, &TrustStore::load(data, &[])?)?;
+    events::log_verdict(data, "orb audit ledger reconcile", &report);
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     Ok(Outcome { text, exit_code: report.exit_code })
 }
@@ -165,10 +176,10 @@ pub(super) fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
 }
 
 /// The named key, else the user's own.
-fn key(args: &KeyArgs, data: &DataFolder) -> Result<SigningKey> {
+fn key(command: &str, args: &KeyArgs, data: &DataFolder) -> Result<SigningKey> {
     match args.named() {
         Some(named) => SigningKey::load(named, KeySource::NamedFile),
-        None => Ok(keys::for_marking(data, &Marking::UNCLASSIFIED, None)?.key),
+        None => Ok(events::key_for_run(data, command, &Marking::UNCLASSIFIED, None)?.key),
     }
 }
 
@@ -192,30 +203,34 @@ mod tests {
     #[test]
     fn checkpoint_verify_reconcile_and_archive() {
         let dir = tempfile::tempdir().unwrap();
-        let published = publish(dir.path());
+        publish(dir.path());
         let data = DataFolder::at(dir.path().join("data"));
         let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
         let signer = path("out/orb-record.pub.pem");
         let kept = path("kept.json");
         let made = orb_audit_ledger(&data, &["checkpoint", "-o", &kept]).unwrap();
-        assert!(made.text.contains(&published.trail_hash), "{}", made.text);
+        // The folder's record, and the user's own key made for the checkpoint.
+        assert!(made.text.contains("2 records"), "{}", made.text);
         assert_eq!(orb_audit_ledger(&data, &["checkpoint", "-o", &kept]).unwrap_err().expected, "a new file");
 
         let words = ["verify", "--trust-key", &signer, "--checkpoint", &kept, "--require-anchor", "--json"];
         let report = orb_audit_ledger(&data, &words).unwrap();
         let value: serde_json::Value = serde_json::from_str(&report.text).unwrap();
-        assert_eq!((&value["anchored_through"], report.exit_code), (&serde_json::json!(0), 0), "{}", report.text);
+        assert_eq!((&value["anchored_through"], report.exit_code), (&serde_json::json!(1), 0), "{}", report.text);
+        // That it was looked at does not need another checkpoint; that something was made does.
+        assert_eq!(orb_audit_ledger(&data, &words).unwrap().exit_code, 0);
 
         let report = orb_audit_ledger(&data, &["reconcile", &path("")]).unwrap();
         assert!(report.text.contains("1 of 1 published folders") && report.exit_code == 0, "{}", report.text);
 
         let archive = path("archive");
         let closed = orb_audit_ledger(&data, &["archive", "-o", &archive]).unwrap();
-        assert!(closed.text.contains("closed after 2 records"), "{}", closed.text);
+        assert!(closed.text.contains("closed after 7 records"), "{}", closed.text);
         let anchor = path("archive/checkpoint.dsse.json");
         let words = ["verify", &archive, "--trust-key", &signer, "--checkpoint", &anchor, "--require-anchor"];
         let report = orb_audit_ledger(&data, &words).unwrap();
-        assert!(report.text.contains("2 records verified, 2 anchored") && report.exit_code == 0, "{}", report.text);
-        assert_eq!(orb_audit_ledger(&data, &["verify"]).unwrap_err().kind, crate::Kind::Incomplete);
+        assert!(report.text.contains("7 records verified, 7 anchored") && report.exit_code == 0, "{}", report.text);
+        // A new ledger began with the record of that verification.
+        assert!(orb_audit_ledger(&data, &["verify"]).unwrap().text.contains("1 records verified"));
     }
 }

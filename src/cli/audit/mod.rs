@@ -10,11 +10,10 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
-use crate::audit::events;
+use crate::audit::events::{self, Happened};
 use crate::audit::keys::{self, Bits, Passphrase};
 use crate::audit::report::Verdict;
 use crate::audit::sbom;
-use crate::audit::statement::Outcome::{Failure, Success};
 use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
 use crate::audit::{DataFolder, Policy, TrustStore, time};
@@ -54,6 +53,22 @@ pub enum AuditVerb {
     Events(EventsArgs),
 }
 
+impl AuditArgs {
+    /// What records call it when it fails; `None` for what only shows.
+    pub fn recorded_as(&self) -> Option<&'static str> {
+        match &self.verb {
+            AuditVerb::Verify(_) => Some("orb audit verify"),
+            AuditVerb::Keygen(_) => Some("orb audit keygen"),
+            AuditVerb::Key(_) => Some("orb audit key"),
+            AuditVerb::Timestamp(_) => Some("orb audit timestamp"),
+            AuditVerb::Ledger(_) => Some("orb audit ledger"),
+            AuditVerb::Report(_) => Some("orb audit report"),
+            AuditVerb::Export(_) => Some("orb audit export"),
+            AuditVerb::Show(_) | AuditVerb::Schema | AuditVerb::Sbom | AuditVerb::Events(_) => None,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
     /// The folder that Orb published
@@ -61,6 +76,13 @@ pub struct VerifyArgs {
     /// Also check that the result was made from this file (may be given several times)
     #[arg(long, value_name = "FILE")]
     pub input: Vec<PathBuf>,
+    /// Give no verdict (exit 3) unless every input that the record names was compared with an --input
+    #[arg(long)]
+    pub require_inputs: bool,
+    /// Also check that the result was made with these network weights: a file, or a network's folder (may be given several
+    /// times)
+    #[arg(long, value_name = "FILE|FOLDER")]
+    pub weights: Vec<PathBuf>,
     /// Also check the files merged into this CDB store
     #[arg(long, value_name = "FOLDER")]
     pub store: Option<PathBuf>,
@@ -153,23 +175,19 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
     let trust = TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?;
     let models = args.models.as_deref().map(weights_list).transpose()?;
     let report = verify::verify(&Request {
-        folder: &args.folder,
-        trust: &trust,
         inputs: &args.input,
+        weights: &args.weights,
         store: args.store.as_deref(),
-        now_ms: time::now()?.unix_ms,
         strict: args.strict,
-        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref() },
+        policy: Policy {
+            require_time_sync: args.require_time_sync,
+            models: models.as_deref(),
+            require_inputs: args.require_inputs,
+        },
+        ..Request::new(&args.folder, &trust, time::now()?.unix_ms)
     })?;
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
-    let (outcome, code) = match report.exit_code {
-        0 => (Success, None),
-        _ => (Failure, report.findings.iter().find(|f| f.verdict == report.verdict).map(|f| f.code)),
-    };
-    // The verdict stands, whether it could be recorded or not.
-    if let Err(e) = events::log(data, "verify.run", "orb audit verify", outcome, code) {
-        eprintln!("orb: warning: the verification was not recorded: {e}");
-    }
+    events::log_verdict(data, "orb audit verify", &report);
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
@@ -180,15 +198,7 @@ pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
         .to_json()
         .map_err(|f| Error::integrity(args.folder.display().to_string()).found(f.detail().to_owned()))?;
     let trust = TrustStore::load(data, &args.trust_key)?;
-    let report = verify::verify(&Request {
-        folder: &args.folder,
-        trust: &trust,
-        inputs: &[],
-        store: None,
-        now_ms: time::now()?.unix_ms,
-        strict: false,
-        policy: Policy::default(),
-    })?;
+    let report = verify::verify(&Request::new(&args.folder, &trust, time::now()?.unix_ms))?;
     let unserialisable = |e: serde_json::Error| Error::integrity("record").found(e.to_string());
     let text = if args.json {
         format!("{}\n", serde_json::to_string(&json).map_err(unserialisable)?)
@@ -235,7 +245,8 @@ fn weights_list(path: &Path) -> Result<Vec<String>> {
 pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
     let passphrase = args.passphrase.as_ref().map(Passphrase::read).transpose()?;
     let key = keys::keygen(&args.output, args.bits, passphrase.as_ref().map(|p| p.as_str()))?;
-    events::log(data, "key.generate", "orb audit keygen", Success, None)?;
+    let made = Happened::new("key.generate", "orb audit keygen");
+    events::log(data, &made.to("key_fingerprint", key.public().fingerprint()))?;
     let text = format!(
         "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
         args.output.display(),

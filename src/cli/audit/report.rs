@@ -10,7 +10,7 @@ use crate::audit::disk::Disk;
 use crate::audit::evidence::{Evidence, to_html, to_markdown};
 use crate::audit::ledger_check::{LedgerRequest, verify_ledger};
 use crate::audit::verify::{Request, read_record, verify};
-use crate::audit::{DataFolder, Ledger, Policy, TrustStore, time};
+use crate::audit::{DataFolder, Ledger, Policy, TrustStore, events, time};
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -55,15 +55,7 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
     let trust = &TrustStore::load(data, &args.trust_key)?;
     let (report, records) = match &args.folder {
         Some(folder) => {
-            let request = Request {
-                folder,
-                trust,
-                inputs: &args.input,
-                store: None,
-                now_ms: as_of_ms,
-                strict: false,
-                policy: Policy::default(),
-            };
+            let request = Request { inputs: &args.input, ..Request::new(folder, trust, as_of_ms) };
             (verify(&request)?, vec![read_record(folder)?.1])
         }
         None => {
@@ -88,6 +80,7 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
         Form::Json => format!("{}\n", report.to_json()),
     };
     Disk::default().write_new(&args.output, text.as_bytes())?;
+    events::log_verdict(data, "orb audit report", &report);
     Ok(Outcome { text: format!("{}\n", args.output.display()), exit_code: report.exit_code })
 }
 

@@ -6,9 +6,9 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::Outcome;
-use crate::audit::statement::Outcome::Success;
+use crate::audit::events::{self, Happened};
 use crate::audit::trust::{self, Added, Entry, Reason, Revocation, SCHEMA};
-use crate::audit::{DataFolder, TrustStore, events, time};
+use crate::audit::{DataFolder, TrustStore, time};
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -100,7 +100,14 @@ fn add(args: &AddArgs, data: &DataFolder) -> Result<Outcome> {
         eku: eku.clone(),
         revoked: None,
     };
-    let text = match trust::add_file(data, file, &entry)? {
+    let added = trust::add_file(data, file, &entry)?;
+    let (name, digest) = match &added {
+        Added::Key(fingerprint) => ("key_fingerprint", fingerprint),
+        Added::Authority(sha256) => ("certificate_sha256", sha256),
+        Added::Crl(sha256) => ("crl_sha256", sha256),
+    };
+    events::log(data, &Happened::new("key.trust", "orb audit key trust add").to(name, digest))?;
+    let text = match added {
         Added::Key(fingerprint) => format!(
             "trusted: key, SPKI SHA-256 {fingerprint}\n  Compare it with what the signer told you by another way.\n"
         ),
@@ -109,7 +116,6 @@ fn add(args: &AddArgs, data: &DataFolder) -> Result<Outcome> {
         ),
         Added::Crl(sha256) => format!("added: revocation list, SHA-256 {sha256}\n"),
     };
-    events::log(data, "key.trust", "orb audit key trust add", Success, None)?;
     Ok(Outcome { text, exit_code: 0 })
 }
 
@@ -165,7 +171,10 @@ fn revoke(args: &RevokeArgs, data: &DataFolder) -> Result<Outcome> {
         return Err(Error::usage("--from").expected("a time like 2026-11-21T08:00:00.000Z").found(format!("{from:?}")));
     }
     // Said before it takes effect: this user's own key may be the one.
-    events::log(data, "key.revoke", "orb audit key trust revoke", Success, None)?;
+    let revoked = Happened::new("key.revoke", "orb audit key trust revoke");
+    let reason = format!("{:?}", args.reason).to_lowercase();
+    let revoked = revoked.to("key_fingerprint", &args.fingerprint).to("from", &from).to("reason", reason);
+    events::log(data, &revoked)?;
     trust::revoke(data, &args.fingerprint, Revocation { from: from.clone(), reason: args.reason })?;
     Ok(Outcome { text: format!("revoked from {from}: {}\n", args.fingerprint), exit_code: 0 })
 }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::audit::disk::{check_name, hash_file};
+use crate::audit::disk::{check_name, hash_file, walk};
 use crate::{Error, Result};
 use catalogue::DepthKind;
 pub use family::{Family, Role, Stage};
@@ -59,13 +59,7 @@ impl Manifest {
     /// One hash for all files: SHA-256 over the lines `<sha256>  <path>\n` in the order of the paths, as `sha256sum`
     /// prints them; for a single file its own.
     pub fn weights_sha256(&self) -> String {
-        if let [only] = self.files.as_slice() {
-            return only.sha256.clone();
-        }
-        let mut files: Vec<&File> = self.files.iter().collect();
-        files.sort_by(|a, b| a.path.cmp(&b.path));
-        let lines: String = files.iter().map(|f| format!("{}  {}\n", f.sha256, f.path)).collect();
-        crate::audit::canonical::sha256_hex(lines.as_bytes())
+        of_files(self.files.iter().map(|f| (f.path.as_str(), f.sha256.as_str())).collect())
     }
 
     pub fn bytes(&self) -> u64 {
@@ -76,6 +70,35 @@ impl Manifest {
     pub fn pin_source(&self) -> &'static str {
         if self.pinned { "catalogue" } else { "unverified" }
     }
+}
+
+/// As [`Manifest::weights_sha256`], of paths and SHA-256.
+fn of_files(mut files: Vec<(&str, &str)>) -> String {
+    if let [(_, only)] = files.as_slice() {
+        return (*only).to_owned();
+    }
+    files.sort_unstable();
+    let lines: String = files.iter().map(|(path, sha256)| format!("{sha256}  {path}\n")).collect();
+    crate::audit::canonical::sha256_hex(lines.as_bytes())
+}
+
+/// As [`Manifest::weights_sha256`], of a file, or of a folder of one network as it stands on the disk: as `orb models` keeps
+/// it, or as it came.
+///
+/// # Errors
+/// An environment error for what cannot be read.
+pub fn weights_sha256(path: &Path) -> Result<String> {
+    let hash = |path: &Path| hash_file(path).map(|(_, sha256)| sha256).map_err(|e| Error::io(path, &e));
+    if !path.is_dir() {
+        return hash(path);
+    }
+    let files = walk(path)?;
+    let files: Vec<(String, String)> = files
+        .into_iter()
+        .filter(|f| f.is_file && f.name != MANIFEST)
+        .map(|f| Ok((f.name, hash(&f.path)?)))
+        .collect::<Result<_>>()?;
+    Ok(of_files(files.iter().map(|(path, sha256)| (path.as_str(), sha256.as_str())).collect()))
 }
 
 /// The folder of imported networks.
@@ -163,7 +186,7 @@ impl Registry {
             };
             let (bytes, sha256) = hash_file(&path).map_err(|e| changed(e.to_string()))?;
             if sha256 != file.sha256 || bytes != file.bytes {
-                return Err(changed(sha256));
+                return Err(changed(format!("MODEL_DIGEST: {sha256}")));
             }
         }
         Ok(Network { manifest: manifest.clone(), folder })
