@@ -228,7 +228,11 @@ fn a_mask_of_ones_own_takes_the_networks_place() {
 fn the_doctor_says_what_is_there_and_what_is_missing() {
     let m = Machine::new();
     ends(&m.orb(&["doctor"], &[]), 0, &["rten 0.27", "none imported for the mask", "signing key", "clock", "free"]);
+    // It changes nothing: no key is made.
+    assert!(!m.path("data/keys").exists());
     ends(&m.import(&TRUST, &["depth_anything_v2.onnx"]), 0, &[]);
+    ends(&m.orb(&["audit", "events"], &[]), 0, &["key.generate", "model.import       success", "depth"]);
+    let ledger = std::fs::read(m.path("data/ledger/orb-ledger.jsonl")).unwrap();
     let done = m.orb(&["doctor", "--json"], &[]);
     let object: Value = serde_json::from_slice(&done.stdout).unwrap();
     let findings = object["findings"].as_array().unwrap();
@@ -240,8 +244,7 @@ fn the_doctor_says_what_is_there_and_what_is_missing() {
     // A runtime that was named and is none: a problem, and the exit code says so.
     std::fs::write(m.path("libonnxruntime.so"), "words").unwrap();
     ends(&m.orb(&["doctor", "--onnxruntime", "libonnxruntime.so"], &[]), 5, &["PROBLEM", "no ONNX Runtime 1"]);
-    // It changes nothing: no key is made.
-    assert!(!m.path("data/keys").exists());
+    assert_eq!(std::fs::read(m.path("data/ledger/orb-ledger.jsonl")).unwrap(), ledger, "nothing was recorded");
 }
 
 #[test]
