@@ -10,7 +10,7 @@ use super::fill::{Surroundings, pad};
 use super::raster::visibility;
 use super::source::{Source, photo_source, rendered_source};
 use super::unwrap::cells_inside;
-use super::{Mesh, Options, PhotoView, View, cross, rendered, surrounding_cameras};
+use super::{Mesh, Options, PhotoView, View, cross, rendered, seams, surrounding_cameras};
 use crate::Result;
 use crate::progress::Progress;
 use crate::splat::Camera;
@@ -137,6 +137,7 @@ pub fn bake(
         baked.from[texel.index as usize] = from;
     }
     pad(&mut baked.color, |i| baked.from[i][0] >= 0.0, size);
+    seams::closed(mesh, &mut baked.color, size);
     Ok(baked)
 }
 
@@ -221,6 +222,7 @@ pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked:
     let mut color: Vec<[f32; 3]> = sums.iter().map(|s| s.0.map(|c| c / s.2.max(1.0))).collect();
     let from: Vec<[f32; 2]> = sums.iter().map(|s| if s.2 > 0.0 { s.1.map(|v| v / s.2) } else { [-1.0; 2] }).collect();
     pad(&mut color, |i| from[i][0] >= 0.0, size);
+    seams::closed(mesh, &mut color, size);
     Baked { size, color, from }
 }
 

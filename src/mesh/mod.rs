@@ -20,6 +20,7 @@ pub mod opacity;
 pub mod pack;
 pub mod raster;
 pub mod relax;
+pub mod seams;
 pub mod simplify;
 pub mod smooth;
 pub mod source;

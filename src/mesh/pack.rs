@@ -1,4 +1,5 @@
-//! Charts into one square texture: their true outlines, bottom-left first fit, the largest scale that fits.
+//! Charts into one square texture: their true outlines, bottom-left first fit, the largest scale that fits; then each
+//! chart grows into the room that is left around it.
 
 use super::unwrap::{Chart, cells_inside};
 use crate::{Error, Result};
@@ -8,12 +9,18 @@ use rayon::prelude::*;
 /// Texels kept free around each chart; two neighbours are twice as far apart.
 pub const PADDING: f32 = 1.5;
 
+/// A chart may grow by this factor at most once all are placed, in steps of [`GROWTH_STEP`]: texels stay alike in size.
+const GROWTH: f32 = 1.5;
+const GROWTH_STEP: f32 = 1.025;
+/// How far charts may move aside while they grow, in cells.
+const AWAY: usize = 8;
+
 /// Where each chart lies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Atlas {
     /// Texture coordinates of each chart's faces' corners: 0..1, origin lower left, v up.
     pub uv: Vec<Vec<[Vec2; 3]>>,
-    /// Texels along one scene unit.
+    /// Texels along one scene unit, at least; no chart has more than half as many again.
     pub scale: f32,
 }
 
@@ -55,14 +62,18 @@ impl Bits {
         }
         None
     }
-    fn add(&mut self, other: &Bits, x: usize, y: usize) {
-        for oy in 0..other.height {
-            for ox in 0..other.width {
-                if other.get(ox, oy) {
-                    self.set(x + ox, y + oy);
+    /// Takes the cells of `shape` at (x, y), or gives them back if they are taken.
+    fn toggle(&mut self, shape: &Bits, x: usize, y: usize) {
+        for oy in 0..shape.height {
+            for ox in 0..shape.width {
+                if shape.get(ox, oy) {
+                    self.rows[(y + oy) * self.words + (x + ox) / 64] ^= 1 << ((x + ox) % 64);
                 }
             }
         }
+    }
+    fn free(&self, shape: &Bits, x: usize, y: usize) -> bool {
+        (0..shape.height).all(|oy| self.last_clash(y + oy, shape, oy, x).is_none())
     }
     /// The lowest, then leftmost place where `shape` fits and ends at row `below` or before.
     fn place(&self, shape: &Bits, below: usize) -> Option<(usize, usize)> {
@@ -122,13 +133,17 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
             .found(format!("{size} × {size} texels"))
             .advice("Use a larger texture or fewer levels of detail."));
     };
+    let finer = (cell / 4.0).max(1.0);
+    let times = (cell / finer) as usize;
+    let places = places.into_iter().map(|p| Place { x: p.x * times, y: p.y * times, ..p }).collect();
     let uv = charts
         .iter()
-        .zip(places)
+        .zip(grown(charts, places, size, finer, scale))
         .map(|(chart, place)| {
+            let at = Vec2::new(place.x as f32, place.y as f32) * finer + Vec2::splat(PADDING);
             let to_uv = |p: Vec2| {
                 let p = place.turn.of(p, chart.size);
-                let p = (p * scale + Vec2::splat(PADDING) + place.at) / size as f32;
+                let p = (p * scale * place.growth + at) / size as f32;
                 Vec2::new(p.x, 1.0 - p.y)
             };
             chart.corners.iter().map(|t| t.map(to_uv)).collect()
@@ -139,9 +154,12 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
 
 #[derive(Clone, Copy, Default)]
 struct Place {
-    /// Texels.
-    at: Vec2,
+    /// Cells.
+    x: usize,
+    y: usize,
     turn: Turn,
+    /// Of the common scale.
+    growth: f32,
 }
 
 /// One of the eight ways to lay an upright box onto a grid.
@@ -203,10 +221,10 @@ fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<P
     if upright.iter().map(|s| s.count()).sum::<usize>() > cells * cells {
         return None;
     }
-    orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells, cell))
+    orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells))
 }
 
-fn place_in_order(shapes: &[Vec<Bits>], order: &[usize], cells: usize, cell: f32) -> Option<Vec<Place>> {
+fn place_in_order(shapes: &[Vec<Bits>], order: &[usize], cells: usize) -> Option<Vec<Place>> {
     let mut atlas = Bits::new(cells, cells);
     let mut places = vec![Place::default(); shapes.len()];
     for &i in order {
@@ -220,10 +238,55 @@ fn place_in_order(shapes: &[Vec<Bits>], order: &[usize], cells: usize, cell: f32
         }
         let (top, x, k) = best?;
         let y = top - shapes[i][k].height;
-        atlas.add(&shapes[i][k], x, y);
-        places[i] = Place { at: Vec2::new(x as f32, y as f32) * cell, turn: Turn::nth(k) };
+        atlas.toggle(&shapes[i][k], x, y);
+        places[i] = Place { x, y, turn: Turn::nth(k), growth: 1.0 };
     }
     Some(places)
+}
+
+/// Each chart as large as the room around it allows, a step at a time and in turn, so that none takes it all. On finer cells
+/// of `cell` texels than the charts were placed on, which gives them the edges of their cells too.
+fn grown(charts: &[Chart], mut places: Vec<Place>, size: u32, cell: f32, scale: f32) -> Vec<Place> {
+    let cells = (size as f32 / cell) as usize;
+    let mut atlas = Bits::new(cells, cells);
+    let mut shapes: Vec<Bits> =
+        charts.iter().zip(&places).map(|(chart, place)| outline(chart, place.turn, scale, cell)).collect();
+    for (shape, place) in shapes.iter().zip(&places) {
+        atlas.toggle(shape, place.x, place.y);
+    }
+    let mut growing: Vec<usize> = (0..charts.len()).collect();
+    while !growing.is_empty() {
+        growing.retain(|&i| {
+            let place = places[i];
+            let growth = place.growth * GROWTH_STEP;
+            if growth > GROWTH {
+                return false;
+            }
+            let larger = outline(&charts[i], place.turn, scale * growth, cell);
+            atlas.toggle(&shapes[i], place.x, place.y);
+            let room = nearby(&place, &shapes[i], &larger, cells).find(|&(x, y)| atlas.free(&larger, x, y));
+            if let Some((x, y)) = room {
+                shapes[i] = larger;
+                places[i] = Place { x, y, growth, ..place };
+            }
+            atlas.toggle(&shapes[i], places[i].x, places[i].y);
+            room.is_some()
+        });
+    }
+    places
+}
+
+/// Places for a `larger` outline that reach over the old one's box, or lie at most [`AWAY`] cells beside it.
+fn nearby(place: &Place, old: &Bits, larger: &Bits, cells: usize) -> impl Iterator<Item = (usize, usize)> {
+    let starts = |at: usize, old: usize, new: usize| {
+        let slack = new.saturating_sub(old) + AWAY;
+        at.saturating_sub(slack)..=(at + AWAY).min(cells.saturating_sub(new))
+    };
+    let across = starts(place.x, old.width, larger.width);
+    let fits = larger.width <= cells && larger.height <= cells;
+    starts(place.y, old.height, larger.height)
+        .flat_map(move |y| across.clone().map(move |x| (x, y)))
+        .filter(move |_| fits)
 }
 
 /// Cells that a chart and its padding touch.

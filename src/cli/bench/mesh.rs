@@ -50,7 +50,7 @@ pub fn run(args: &MeshBench, progress: &dyn Progress) -> Result<String> {
 }
 
 /// What a column shows: title, where in a row, times what, decimals.
-const COLUMNS: [(&str, &str, f64, usize); 20] = [
+const COLUMNS: [(&str, &str, f64, usize); 22] = [
     ("seconds", "/mesh_seconds", 1.0, 1),
     ("mesh Ch%", "/mesh/chamfer", 100.0, 2),
     ("F1%", "/mesh/f1", 1.0, 3),
@@ -68,6 +68,8 @@ const COLUMNS: [(&str, &str, f64, usize); 20] = [
     ("own dB", "/finest_own_colours_db", 1.0, 1),
     ("inside dB", "/finest_inside_db", 1.0, 1),
     ("coarsest dB", "/coarsest_db", 1.0, 1),
+    ("atlas", "/levels/0/atlas_use", 1.0, 2),
+    ("seams", "/levels/0/seams/mean", 1.0, 2),
     ("seen", "/texture/seen", 1.0, 2),
     ("mirrored", "/texture/mirrored", 1.0, 2),
     ("invented", "/texture/invented", 1.0, 2),
@@ -140,6 +142,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
             json!({
                 "vertices": l.mesh.positions.len(), "triangles": l.mesh.triangles.len(),
                 "error": l.error, "mean_error": l.mean_error, "error_to_coarser": l.error_to_coarser, "atlas_use": atlas_use(l),
+                "seams": seam_steps(l),
             })
         })
         .collect();
@@ -215,6 +218,12 @@ fn atlas_use(level: &Level) -> f32 {
         (b - a).perp_dot(c - a).abs()
     };
     level.mesh.triangles.iter().map(twice).sum::<f32>() / 2.0
+}
+
+/// How far the colours of neighbouring charts are apart, in steps of 255.
+fn seam_steps(level: &Level) -> Value {
+    let s = mesh::seams::seams(&level.mesh, &level.texture);
+    json!({ "mean": s.mean, "most": s.most, "length": s.length })
 }
 
 /// The level with nothing but the Gaussians' colours. Where the photo's own pixels are in the texture, the model shows what
