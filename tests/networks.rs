@@ -2,7 +2,8 @@
 //! real architectures with small weights. `make_stubs.py`, `make_small.py` and `make_vectors.py` there made them.
 //!
 //! ONNX Runtime is found as in a real run (`ORT_DYLIB_PATH` first). Without one its half is skipped with a printed reason;
-//! under `ORB_REQUIRE_CLIENTS=1` it is missed. `ORB_CONTRACTS` names a folder of more graphs with a `vectors.json`.
+//! under `ORB_REQUIRE_CLIENTS=1` it is missed. `ORB_CONTRACTS` names a folder of more graphs with a `vectors.json`;
+//! `ORB_TEST_PROVIDER`, `cuda` or `tensorrt`, what ONNX Runtime computes on in place of the CPU.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,12 @@ fn contracts() -> PathBuf {
 /// None: skip.
 fn runtime() -> Option<Box<dyn Engine>> {
     let search = Search::from_environment(None, None, |name| std::env::var_os(name));
-    match engine::open(Choice::Ort, Provider::Cpu, &search, &mut |line| eprintln!("{line}")) {
+    let provider = match std::env::var("ORB_TEST_PROVIDER").as_deref() {
+        Ok("cuda") => Provider::Cuda,
+        Ok("tensorrt") => Provider::Tensorrt,
+        _ => Provider::Cpu,
+    };
+    match engine::open(Choice::Ort, provider, &search, &mut |line| eprintln!("{line}")) {
         Ok(engine) => Some(engine),
         Err(e) => {
             assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "{e}");

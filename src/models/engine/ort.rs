@@ -123,6 +123,8 @@ impl Ort {
             ep::CUDA::default()
                 .with_arena_extend_strategy(ep::ArenaExtendStrategy::SameAsRequested)
                 .with_memory_limit(GPU_MEMORY)
+                // Ten bits of mantissa would put answers further from the CPU's than a thousandth.
+                .with_tf32(false)
         };
         let providers = match self.provider {
             // Memory goes back to the system when a session goes.
