@@ -5,7 +5,7 @@ import math
 import torch
 import torch.nn.functional as F
 
-from nets import SplatNet
+from nets import CROP_HALF, CROP_NEARNESS, SplatNet
 from synth.batches import scene_batch, splat_batch
 from synth.cameras import fixed
 
@@ -47,7 +47,8 @@ def scene_step(net, pool, n):
 def mask_losses(logits, alpha):
     """Cross-entropy and Dice, [n, S, S]; pictures whose subject is all but out of view do not count.
 
-    Near the subject's edge, and on its thin parts, which are all edge, cross-entropy weighs more.
+    Near the subject's edge, and on its thin parts, which are all edge, cross-entropy weighs more. The fiftieth of each
+    picture that is most wrong (a shadow that is taken for the subject, a part that is missing) counts once more.
     """
     seen = (alpha.flatten(1).mean(1) > 0.01)[:, None, None].float()
     mask = torch.sigmoid(logits)
@@ -56,8 +57,12 @@ def mask_losses(logits, alpha):
     around = alpha[:, None]
     edge = (F.max_pool2d(around, 7, 1, 3) + F.max_pool2d(-around, 7, 1, 3))[:, 0]
     weight = seen * (1 + 2 * edge)
-    entropy = F.binary_cross_entropy_with_logits(logits, alpha, weight=weight)
-    return entropy * 1.6 + dice.mean()
+    entropy = F.binary_cross_entropy_with_logits(logits, alpha, reduction="none")
+    # Less the entropy of the coverage itself, or edges would always be among the worst.
+    known = alpha.clamp(1e-4, 1 - 1e-4)
+    excess = entropy + known * known.log() + (1 - known) * (1 - known).log()
+    worst = (excess * seen).flatten(1).topk(max(1, alpha[0].numel() // 50), 1).values
+    return (entropy * weight).mean() * 1.6 + 0.1 * worst.mean() + dice.mean()
 
 
 def centred(x):
@@ -107,7 +112,7 @@ def splat_step(net, pool, n):
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
         splats = net(batch.rgba)
-    colour, alpha = render(splats, batch.views, batch.alpha.shape[-1])
+    colour, alpha = render(splats | brought_home(splats, batch), batch.views, batch.alpha.shape[-1])
     background = torch.rand(*batch.colour.shape[:3], 1, 1, device=colour.device)
     answer = colour + (1 - alpha) * background
     truth = batch.colour + (1 - batch.alpha) * background
@@ -133,6 +138,39 @@ def splat_step(net, pool, n):
     }
     columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
+
+
+def brought_home(splats, batch):
+    """The answer's pos [n, m, 3] and scale [n, m, 3], as large and as far as the truth is.
+
+    No photo shows how long its subject is along the line of sight, so neither its unit nor its middle: a loss that
+    asked for them would blur every other view. So each Gaussian keeps its place in the crop, the relief is stretched
+    by what the crop's size was wrong, and all move by the mean error of the front layer's depth. What the answer says
+    of camera and depth has losses of its own.
+    """
+    middle = SplatNet.DIST
+    stretch = torch.exp((batch.camera - splats["camera"])[:, 0].clamp(-0.4, 0.4))[:, None]
+    relief = (splats["pos"][..., 2] - middle) * stretch
+    valid = front_seen(batch)
+    surface = (splats["depth"] - middle) * stretch[..., None]
+    off = ((batch.front - middle - surface) * valid).sum((1, 2)) / valid.sum((1, 2)).clamp(min=1)
+    moved = relief + off.clamp(-0.5, 0.5)[:, None]
+
+    def spread(camera, depth):
+        nearness = CROP_NEARNESS * torch.exp(camera[:, 3:].clamp(-1.5, 1.5))
+        return (1 + nearness * depth).clamp(min=0.1)
+
+    def across(camera):
+        return CROP_HALF * torch.exp(camera[:, 0])[:, None, None], camera[:, None, 1:3]
+
+    half, aside = across(splats["camera"])
+    place = (splats["pos"][..., :2] / spread(splats["camera"], splats["pos"][..., 2] - middle)[..., None] - aside) / half
+    half, aside = across(batch.camera)
+    beside = (place * half + aside) * spread(batch.camera, moved)[..., None]
+    return {
+        "pos": torch.cat([beside, (moved + middle)[..., None]], 2),
+        "scale": splats["scale"] * stretch[..., None],
+    }
 
 
 def render(splats, views, size):
@@ -164,9 +202,13 @@ def pooled(x, step):
 
 def front_depth_loss(depth, batch):
     """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject."""
-    truth = batch.front
-    valid = (truth > 0) & (batch.rgba[:, 3] > 0.5) & ~batch.empty[:, None, None]
-    return ((depth - truth).abs() * valid).sum() / valid.sum().clamp(min=1)
+    valid = front_seen(batch)
+    return ((depth - batch.front).abs() * valid).sum() / valid.sum().clamp(min=1)
+
+
+def front_seen(batch):
+    """Where the crop shows the subject and the mask has it, [n, S, S]."""
+    return (batch.front > 0) & (batch.rgba[:, 3] > 0.5) & ~batch.empty[:, None, None]
 
 
 @torch.no_grad()

@@ -116,3 +116,39 @@ def test_networks_compute_what_the_shipped_files_compute(which):
         # SplatNet 0.2 gave an elevation without its spread, and no camera.
         a = a.numpy() if a.shape == b.shape else a.numpy()[:, 0]
         assert np.abs(a - b).max() <= 1e-3 * np.abs(b).max()
+
+
+def test_an_answer_of_wrong_size_and_distance_is_brought_home():
+    torch = pytest.importorskip("torch")
+    from types import SimpleNamespace
+
+    from losses import brought_home
+    from nets import SplatNet, crop_rays
+
+    torch.manual_seed(5)
+    middle, size = SplatNet.DIST, 8
+    true_camera = torch.tensor([[-0.1, 0.05, -0.02, 0.3], [0.1, -0.03, 0.04, -0.2]])
+    told_camera = true_camera + torch.tensor([[0.2, 0.1, 0.03, -0.1], [-0.15, 0.0, -0.05, 0.2]])
+    relief = torch.rand(2, 1, 1, size, size) - 0.5
+    stretch = torch.exp((told_camera - true_camera)[:, 0]).reshape(2, 1, 1, 1, 1)
+
+    def listed(t):
+        return t.permute(0, 1, 3, 4, 2).reshape(2, size * size, 3)
+
+    truth = listed(crop_rays(true_camera, middle + relief, middle))
+    told_depth = middle + (relief - 0.07) * stretch
+    answer = {
+        "pos": listed(crop_rays(told_camera, told_depth, middle)),
+        "scale": torch.full((2, size * size, 3), 0.1) * stretch.reshape(2, 1, 1),
+        "depth": told_depth[:, 0, 0],
+        "camera": told_camera,
+    }
+    batch = SimpleNamespace(
+        camera=true_camera,
+        front=(middle + relief)[:, 0, 0],
+        rgba=torch.ones(2, 4, size, size),
+        empty=torch.zeros(2, dtype=torch.bool),
+    )
+    home = brought_home(answer, batch)
+    assert torch.allclose(home["pos"], truth, atol=1e-5)
+    assert torch.allclose(home["scale"], torch.full_like(home["scale"], 0.1), atol=1e-6)

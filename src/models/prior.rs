@@ -17,16 +17,16 @@ pub struct Weights {
 /// Photo → subject mask, inverse depth and the camera's elevation.
 pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.3",
-    sha256: "f734d3b269a2bccb9958d3a01e9cd6eb1c372b4d8686fc30c39902ab6c805fc7",
+    version: "0.4",
+    sha256: "c4ee01cde8015cb3c705017f4ddd1d42ccdae54c5ebbf52120fae0629b886a43",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.3",
-    sha256: "c7468cd8338870542b734162c4430065beaa022e51cedf41e6ad9d8e08de81b4",
+    version: "0.4",
+    sha256: "d96c8424c3ee018bf7eb1247f4f06cbd44ae91ee09947368cb406c5042ee6bef",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
