@@ -5,6 +5,7 @@
 //! [`pipeline`] reads like that line.
 
 pub mod audit;
+pub mod bench;
 pub mod cli;
 pub mod error;
 pub mod export;
@@ -13,6 +14,7 @@ pub mod memory;
 pub mod mesh;
 pub mod models;
 pub mod photo;
+pub mod photos;
 pub mod pipeline;
 pub mod preview;
 pub mod progress;

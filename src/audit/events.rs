@@ -27,7 +27,9 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 16] = [
+pub const EVENT_TYPES: [EventType; 18] = [
+    event("bench.make", "orb bench make published", "what results are measured against"),
+    event("bench.run", "orb bench run published", "what was measured of which results"),
     event("key.generate", "a key was made: by orb audit keygen, or the user's own", "who can sign, and since when"),
     event("key.revoke", "orb audit key trust revoke", "since when a key counts no more"),
     event(

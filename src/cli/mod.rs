@@ -3,7 +3,6 @@
 pub mod audit;
 mod bar;
 pub mod bench;
-mod cameras;
 mod cdb;
 pub mod checkpoint;
 pub mod device;
@@ -50,25 +49,14 @@ enum Verb {
     Cdb(cdb::CdbArgs),
     /// Draw a splat (PLY) from cameras, on the GPU where there is one.
     Render(render::Render),
-    /// Measure this machine.
-    #[command(subcommand)]
-    Bench(Bench),
+    /// Score reconstructions by Orb-Bench; measure this machine.
+    Bench(bench::BenchArgs),
     /// Import networks, list, check and remove them. Nothing is downloaded.
     Models(models::ModelsArgs),
     /// Say what this machine has and lacks, a line each with what to do.
     Doctor(doctor::DoctorArgs),
     /// Verify and show records, make keys.
     Audit(audit::AuditArgs),
-}
-
-#[derive(Subcommand)]
-enum Bench {
-    /// How fast splats are drawn.
-    Speed(bench::speed::Speed),
-    /// How true models are whose subjects' meshes are known.
-    Mesh(bench::mesh::MeshBench),
-    /// How fast splats are fitted to pictures, and how well.
-    Train(bench::train::Train),
 }
 
 /// Parses the arguments, runs the verb, prints an error to standard error, gives the exit code.
@@ -94,7 +82,8 @@ pub fn main() -> ExitCode {
         Verb::Export(_) => Some("orb export"),
         Verb::Models(_) => Some("orb models"),
         Verb::Audit(args) => args.recorded_as(),
-        Verb::Bench(_) | Verb::Cdb(_) | Verb::Doctor(_) => None,
+        Verb::Bench(args) => bench::command(args),
+        Verb::Cdb(_) | Verb::Doctor(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
@@ -102,30 +91,13 @@ pub fn main() -> ExitCode {
         Verb::Export(args) => export::run(&args, &stop),
         Verb::Cdb(args) => cdb::run(&args).map(show),
         Verb::Render(args) => render::publish(&args, &stop),
-        Verb::Bench(Bench::Speed(args)) => {
-            let bar = bar::Bar::new(&stop, false);
-            let done = bench::speed::run(&args, &bar, &mut |line| eprintln!("orb: {line}"));
-            bar.finish();
-            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
-        }
-        Verb::Bench(Bench::Mesh(args)) => {
-            let bar = bar::Bar::new(&stop, args.json);
-            let done = bench::mesh::run(&args, &bar);
-            bar.finish();
-            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
-        }
+        Verb::Bench(args) => bench::run(&args, &stop),
         Verb::Models(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| models::run(&args, &data))
             .map(show),
         Verb::Doctor(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| doctor::run(&args, &data))
             .map(show),
-        Verb::Bench(Bench::Train(args)) => {
-            let bar = bar::Bar::new(&stop, false);
-            let done = bench::train::run(&args, &bar, &mut |line| eprintln!("orb: {line}"));
-            bar.finish();
-            done.map(|text| show(audit::Outcome { text, exit_code: 0 }))
-        }
         Verb::Audit(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| audit::run(&args, &data))
             .map(show),

@@ -9,7 +9,6 @@ use image::{ExtendedColorType, ImageEncoder};
 use serde_json::json;
 
 use super::bar::Bar;
-use super::cameras;
 use super::device::Device;
 use super::key::KeyArgs;
 use super::marking::{self, MarkingArgs};
@@ -19,6 +18,7 @@ use crate::audit::statement::Param;
 use crate::audit::{record, time};
 use crate::export::import::gaussians;
 use crate::progress::Progress;
+use crate::splat::cameras;
 use crate::splat::render::gpu::{Renderer, Scene};
 use crate::splat::render::{self, Frame};
 use crate::splat::{Camera, Gaussians};

@@ -1,6 +1,7 @@
 //! Gaussians, cameras, rendering and training (3D Gaussian Splatting, Kerbl et al. 2023).
 
 mod camera;
+pub mod cameras;
 mod gaussians;
 mod packed;
 pub mod render;

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
-use super::compare::{self, Shape, Similarity};
-use super::truth::{self, Truth};
+use crate::bench::surfaces::{self as compare, Shape, Similarity};
+use crate::bench::truth::{self, Truth};
 use crate::mesh::{self, Level, Surface};
 use crate::models::Rten;
 use crate::photo;

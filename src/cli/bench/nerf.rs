@@ -2,79 +2,35 @@
 
 use std::path::Path;
 
-use glam::{Mat3, Mat4, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
-use serde::Deserialize;
 
+use crate::bench::scene;
 use crate::splat::render::Shown;
-use crate::splat::{Camera, Gaussians, SH_COEFFICIENTS, Target};
+use crate::splat::{Gaussians, SH_COEFFICIENTS, Target};
 use crate::{Error, Result};
-
-#[derive(Deserialize)]
-struct Transforms {
-    camera_angle_x: f64,
-    frames: Vec<Frame>,
-}
-
-#[derive(Deserialize)]
-struct Frame {
-    file_path: String,
-    /// Camera→world, rows; x right, y up, z backwards.
-    transform_matrix: [[f64; 4]; 4],
-}
 
 /// The pictures of a list as targets of equal weight, and whether any has an alpha channel.
 ///
 /// Errors: usage, naming the file, for a list or picture that cannot be read.
 pub fn targets(list: &Path) -> Result<(Vec<Target>, bool)> {
-    let wrong = |found: String| {
-        Error::usage(list.display().to_string()).expected("camera_angle_x and frames as NeRF writes them").found(found)
-    };
-    let bytes = std::fs::read(list).map_err(|e| Error::io(list, &e))?;
-    let read: Transforms = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
-    let folder = list.parent().unwrap_or(Path::new("."));
     let mut any_alpha = false;
     let mut out = Vec::new();
-    for f in &read.frames {
-        let mut path = folder.join(&f.file_path);
-        if path.extension().is_none() {
-            path.set_extension("png");
-        }
-        let picture = image::open(&path)
-            .map_err(|e| Error::usage(path.display().to_string()).expected("a picture").found(e.to_string()))?;
+    for view in scene::transforms(list)? {
+        let picture = image::open(&view.file)
+            .map_err(|e| Error::usage(view.file.display().to_string()).expected("a picture").found(e.to_string()))?;
         any_alpha |= picture.color().has_alpha();
         let picture = picture.into_rgba32f();
-        let (width, height) = picture.dimensions();
-        let focal = (f64::from(width) / 2.0 / (read.camera_angle_x / 2.0).tan()) as f32;
-        let m = Mat4::from_cols_array_2d(&f.transform_matrix.map(|r| r.map(|v| v as f32))).transpose();
-        let turn = Mat3::from_mat4(m) * Mat3::from_diagonal(Vec3::new(1.0, -1.0, -1.0));
-        let unit = (turn * turn.transpose() - Mat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-3);
-        if !(unit && m.is_finite() && focal.is_finite() && focal > 0.0) {
-            return Err(wrong(format!("another camera at {}", f.file_path)));
-        }
-        let rotation = turn.transpose();
         out.push(Target {
-            camera: Camera {
-                width,
-                height,
-                fx: focal,
-                fy: focal,
-                cx: width as f32 / 2.0,
-                cy: height as f32 / 2.0,
-                rotation,
-                translation: -(rotation * m.w_axis.truncate()),
-            },
+            camera: view.camera,
             color: picture.pixels().map(|p| [p[0], p[1], p[2]]).collect(),
             alpha: picture.pixels().map(|p| p[3]).collect(),
             weight: 1.0,
             refine_pose: false,
             held_back: None,
             shown: Shown::Color,
-            name: f.file_path.clone(),
+            name: view.name,
         });
-    }
-    if out.is_empty() {
-        return Err(wrong("no frames".into()));
     }
     Ok((out, any_alpha))
 }

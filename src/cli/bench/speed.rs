@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 
 use super::scene;
 use crate::cli::device::Device;
-use crate::cli::{cameras, render};
+use crate::cli::render;
 use crate::progress::Progress;
 use crate::splat::render::gpu::{Gpu, Renderer, STAGES, Scene, Timing};
 use crate::splat::train::gpu::measure::{self, forward_backward};
-use crate::splat::{self, Camera, Gaussians};
+use crate::splat::{self, Camera, Gaussians, cameras};
 use crate::{Error, Result};
 
 /// Measure rendering speed.

@@ -9,13 +9,13 @@ use sha2::{Digest, Sha256};
 use super::{nerf, scene};
 use crate::cli::checkpoint::CheckpointArgs;
 use crate::cli::device::Device;
-use crate::cli::{cameras, render};
+use crate::cli::render;
 use crate::progress::Progress;
 use crate::splat::render::Shown;
 use crate::splat::render::gpu::Gpu;
 use crate::splat::train::gpu::measure;
 use crate::splat::train::{Behind, Checkpoint, advance};
-use crate::splat::{self, Camera, Engine, Gaussians, Options, SH_COEFFICIENTS, Target};
+use crate::splat::{self, Camera, Engine, Gaussians, Options, SH_COEFFICIENTS, Target, cameras};
 use crate::{Error, Result};
 
 /// Measure training speed: on pictures with poses, or on pictures that are drawn of a splat.

@@ -80,7 +80,7 @@ fn camera(v: &Value) -> Option<Camera> {
 }
 
 /// Every triangle of the first scene; None where the file is not what it says.
-fn glb(bytes: &[u8]) -> Option<Surface> {
+pub fn glb(bytes: &[u8]) -> Option<Surface> {
     let word = |at: usize| Some(u32::from_le_bytes(bytes.get(at..at + 4)?.try_into().ok()?) as usize);
     if bytes.get(..4)? != b"glTF" {
         return None;

@@ -6,7 +6,7 @@ use std::path::Path;
 use glam::{Mat3, Vec3};
 use serde_json::Value;
 
-use crate::splat::{Camera, Gaussians};
+use super::{Camera, Gaussians};
 use crate::{Error, Result};
 
 /// Largest picture side.

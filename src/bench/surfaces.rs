@@ -1,19 +1,23 @@
-//! How far two surfaces lie apart.
+//! What can be seen of surfaces from around them, how far two lie apart, and how one is moved onto another.
 
 use glam::{Mat3, Vec3};
 use rayon::prelude::*;
 
 use crate::mesh::distance::Bvh;
 use crate::mesh::raster::visibility;
-use crate::mesh::{Surface, surrounding_cameras};
+use crate::mesh::{Surface, cross, surrounding_cameras};
 use crate::splat::Camera;
 
 /// What of a surface can be seen from around it.
 pub struct Shape {
     pub points: Vec<Vec3>,
+    /// The triangles that the points lie on; none for a shape of depth maps.
+    owners: Vec<u32>,
     corners: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     bvh: Bvh,
+    /// Depth from [`surrounding_cameras`], camera z, 0 for nothing; a moved shape has none.
+    depths: Vec<Vec<f32>>,
 }
 
 const VIEWS: usize = 32;
@@ -25,45 +29,110 @@ impl Shape {
     pub fn of_surface(surface: &Surface) -> Self {
         let mut used = vec![false; surface.triangles.len()];
         let mut points = Vec::new();
+        let mut depths = Vec::new();
         for camera in surrounding_cameras(VIEWS, VIEW_SIZE) {
             let seen = visibility(&surface.positions, &surface.triangles, &camera);
             for (i, &t) in seen.triangle.iter().enumerate().filter(|(_, t)| **t != u32::MAX) {
                 used[t as usize] = true;
-                points.push(lifted(&camera, i, seen.depth[i]));
+                points.push((lifted(&camera, i, seen.depth[i]), t));
             }
+            depths.push(seen.depth);
         }
-        let triangles: Vec<[u32; 3]> =
-            surface.triangles.iter().zip(&used).filter(|(_, used)| **used).map(|(t, _)| *t).collect();
+        let mut renumbered = vec![0; used.len()];
+        let mut triangles = Vec::new();
+        for t in (0..used.len()).filter(|t| used[*t]) {
+            renumbered[t] = triangles.len() as u32;
+            triangles.push(surface.triangles[t]);
+        }
+        let points = fewer(points);
         Shape {
-            points: fewer(points),
+            owners: points.iter().map(|(_, t)| renumbered[*t as usize]).collect(),
+            points: points.into_iter().map(|(p, _)| p).collect(),
             bvh: Bvh::new(&surface.positions, &triangles),
             corners: surface.positions.clone(),
             triangles,
+            depths,
         }
     }
 
     /// Of depth maps, `depth(camera)` in camera z, 0 for nothing.
     pub fn of_depth(depth: impl Fn(&Camera) -> Vec<f32> + Sync) -> Self {
-        let points: Vec<Vec3> = surrounding_cameras(VIEWS, VIEW_SIZE)
+        let cameras = surrounding_cameras(VIEWS, VIEW_SIZE);
+        let depths: Vec<Vec<f32>> = cameras.iter().map(depth).collect();
+        let points: Vec<Vec3> = cameras
             .iter()
-            .flat_map(|camera| {
-                let depth = depth(camera);
+            .zip(&depths)
+            .flat_map(|(camera, depth)| {
                 let found = depth.iter().enumerate().filter(|(_, z)| **z > 0.0);
                 found.map(|(i, z)| lifted(camera, i, *z)).collect::<Vec<Vec3>>()
             })
             .filter(|p| p.length() < 1.3)
             .collect();
         let triangles: Vec<[u32; 3]> = (0..points.len() as u32).map(|i| [i; 3]).collect();
-        Shape { bvh: Bvh::new(&points, &triangles), points: fewer(points.clone()), corners: points, triangles }
+        let bvh = Bvh::new(&points, &triangles);
+        Shape { bvh, points: fewer(points.clone()), owners: Vec::new(), corners: points, triangles, depths }
+    }
+
+    /// The mean cosine between the normals at this shape's points and those at the closest points of the other, both as
+    /// their triangles are wound. None for shapes without triangles.
+    fn normals_towards(&self, other: &Shape) -> Option<f64> {
+        let normal = |s: &Shape, t: u32| cross(&s.corners, &s.triangles[t as usize]).normalize_or_zero();
+        let near = |(p, own): (&Vec3, &u32)| {
+            let there = other.bvh.closest(*p, f32::MAX.sqrt(), |_| true)?;
+            Some(f64::from(normal(self, *own).dot(normal(other, there.triangle))))
+        };
+        let cosines: Vec<f64> = self.points.par_iter().zip(&self.owners).filter_map(near).collect();
+        (!cosines.is_empty() && !other.owners.is_empty()).then(|| cosines.iter().sum::<f64>() / cosines.len() as f64)
+    }
+
+    /// Mean of both directions' [`Self::normals_towards`] (Mescheder et al. 2019, without their absolute value).
+    pub fn normal_consistency(&self, other: &Shape) -> Option<f64> {
+        Some((self.normals_towards(other)? + other.normals_towards(self)?) / 2.0)
+    }
+
+    /// Whether a point is inside what no camera around sees past: space carving (Kutulakos and Seitz 2000). What a shape
+    /// holds inside does not matter, nor whether it is closed.
+    fn holds(&self, cameras: &[Camera], p: Vec3) -> bool {
+        cameras.iter().zip(&self.depths).all(|(camera, depth)| {
+            let q = camera.rotation * p + camera.translation;
+            let (x, y) = (camera.fx * q.x / q.z + camera.cx, camera.fy * q.y / q.z + camera.cy);
+            if !(q.z > 0.0 && x >= 0.0 && y >= 0.0 && x < camera.width as f32 && y < camera.height as f32) {
+                return true;
+            }
+            let z = depth[y as usize * camera.width as usize + x as usize];
+            z > 0.0 && q.z >= z
+        })
+    }
+
+    /// Shared over joint volume of two shapes' insides, on a grid of so many cells along the longest side of `low` to
+    /// `high`. None where neither has an inside.
+    pub fn volume_iou(&self, other: &Shape, (low, high): (Vec3, Vec3), cells: usize) -> Option<f64> {
+        let cameras = surrounding_cameras(VIEWS, VIEW_SIZE);
+        let step = (high - low).max_element() / cells as f32;
+        if step.is_nan() || step <= 0.0 {
+            return None;
+        }
+        let n = ((high - low) / step).ceil().max(Vec3::ONE).as_uvec3();
+        let count = n.x * n.y * n.z;
+        let one = |i: u32| {
+            let at = glam::UVec3::new(i % n.x, i / n.x % n.y, i / (n.x * n.y)).as_vec3() + 0.5;
+            let p = low + at * step;
+            let (a, b) = (self.holds(&cameras, p), other.holds(&cameras, p));
+            (u32::from(a && b), u32::from(a || b))
+        };
+        let (both, either) = (0..count).into_par_iter().map(one).reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
+        (either > 0).then(|| f64::from(both) / f64::from(either))
     }
 
     fn moved(&self, place: &Similarity) -> Self {
         let corners: Vec<Vec3> = self.corners.iter().map(|p| place.point(*p)).collect();
         Shape {
             points: self.points.iter().map(|p| place.point(*p)).collect(),
+            owners: self.owners.clone(),
             bvh: Bvh::new(&corners, &self.triangles),
             corners,
             triangles: self.triangles.clone(),
+            depths: Vec::new(),
         }
     }
 
@@ -72,7 +141,7 @@ impl Shape {
     }
 }
 
-fn fewer(points: Vec<Vec3>) -> Vec<Vec3> {
+fn fewer<T>(points: Vec<T>) -> Vec<T> {
     let step = points.len().div_ceil(POINTS).max(1);
     points.into_iter().step_by(step).collect()
 }
@@ -112,7 +181,19 @@ pub struct Similarity {
 }
 
 impl Similarity {
-    fn point(&self, p: Vec3) -> Vec3 {
+    pub fn new(turn: Mat3, scale: f32, shift: Vec3) -> Self {
+        Similarity { turn, scale, shift }
+    }
+
+    pub fn scale(&self) -> f32 {
+        self.scale
+    }
+
+    pub fn turn(&self) -> Mat3 {
+        self.turn
+    }
+
+    pub fn point(&self, p: Vec3) -> Vec3 {
         self.scale * (self.turn * p) + self.shift
     }
 
@@ -190,10 +271,10 @@ pub fn aligned(truth: &Surface, forward: Vec3, found: &Shape) -> Similarity {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
-    fn block(size: Vec3) -> Surface {
+    pub fn block(size: Vec3) -> Surface {
         let positions =
             (0..8).map(|k| size * (Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) - 0.5)).collect();
         let triangles = [
@@ -231,5 +312,22 @@ mod tests {
         let larger = Shape::of_surface(&block(Vec3::new(1.25, 0.7, 0.5)));
         let s = scores(&larger, &found, 1.5);
         assert!(s.f[0] < 0.9 && s.f[1] > 0.99, "{s:?}");
+    }
+
+    #[test]
+    fn volumes_and_normals_of_blocks_are_their_own() {
+        let (size, larger) = (Vec3::new(1.2, 0.7, 0.5), Vec3::new(1.2, 0.7, 1.0));
+        let (a, b) = (Shape::of_surface(&block(size)), Shape::of_surface(&block(larger)));
+        let around = (-larger / 2.0 - 0.02, larger / 2.0 + 0.02);
+        assert!((a.volume_iou(&a, around, 48).unwrap() - 1.0).abs() < 1e-9);
+        let iou = a.volume_iou(&b, around, 48).unwrap();
+        assert!((iou - 0.5).abs() < 0.03, "{iou}");
+        assert!((a.normal_consistency(&a).unwrap() - 1.0).abs() < 1e-3);
+        let mut inside_out = block(size);
+        inside_out.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+        let turned = Shape::of_surface(&inside_out).normal_consistency(&a).unwrap();
+        assert!((turned + 1.0).abs() < 1e-3, "{turned}");
+        assert!((Shape::of_surface(&inside_out).volume_iou(&a, around, 48).unwrap() - 1.0).abs() < 1e-9);
+        assert_eq!(Shape::of_depth(|c| vec![0.0; (c.width * c.height) as usize]).normal_consistency(&a), None);
     }
 }

@@ -1,0 +1,84 @@
+//! `orb bench make`: a benchmark of made scenes, marked and sealed.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use crate::Result;
+use crate::audit::statement::Param;
+use crate::audit::time;
+use crate::bench::make::{self, Options};
+use crate::cli::bar::Bar;
+use crate::cli::key::KeyArgs;
+use crate::cli::marking::MarkingArgs;
+use crate::cli::sealed::{Evidence, SealedRun};
+use crate::progress::Progress;
+
+/// Make scenes whose truth is known: photo, mask, held-back views, cameras, mesh.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Make {
+    /// Folder for the scenes; must not exist yet.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// How many: ten kinds, one after the other.
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub scenes: u32,
+    /// Same seed: same bytes.
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+    /// Pixels across a photo.
+    #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(64..=2048))]
+    pub size: u32,
+    /// Held-back views of each scene.
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=200))]
+    pub views: u32,
+    /// Pixels across a held-back view.
+    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=2048))]
+    pub view_size: u32,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
+    #[command(flatten)]
+    pub key: KeyArgs,
+    /// Replace a folder that Orb published earlier.
+    #[arg(long)]
+    pub replace: bool,
+    /// No progress, no summary.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Makes and publishes. `stop` is set by the interrupt handler.
+///
+/// # Errors
+/// As [`SealedRun`]; `Cancelled`.
+pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
+    let handling = args.marking.decide(&[], &time::now()?.utc())?;
+    let marking = handling.marking.clone();
+    let mut sealed = SealedRun::begin("orb bench make", &args.output, args.replace, handling, &args.key, args.quiet)?;
+    let options = Options { seed: args.seed, photo: args.size, views: args.views as usize, view: args.view_size };
+    let bar = Bar::new(stop, args.quiet);
+    bar.begin("making scenes", args.scenes.into());
+    for i in 0..args.scenes as usize {
+        bar.check()?;
+        for file in make::scene(i, &options, &marking)?.1 {
+            let role = if file.media_type == "application/json" { "scene" } else { "truth" };
+            sealed.publication.add(&file.path, &file.bytes, file.media_type, role)?;
+        }
+        bar.step(i as u64 + 1);
+    }
+    let published = sealed.seal(Evidence {
+        event_type: "bench.make",
+        time: time::now()?,
+        inputs: Vec::new(),
+        models: Vec::new(),
+        params: BTreeMap::from([
+            ("seed".into(), Param::Text(args.seed.to_string())),
+            ("scenes".into(), Param::Int(args.scenes.into())),
+        ]),
+    })?;
+    bar.finish();
+    if !args.quiet {
+        println!("{}\n{} scenes in {}", marking.banner(), args.scenes, published.folder.display());
+    }
+    Ok(0)
+}

@@ -1,0 +1,3 @@
+//! Several photos of one thing.
+
+pub mod colmap;
