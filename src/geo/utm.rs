@@ -50,6 +50,31 @@ fn central_meridian(zone: u8) -> f64 {
     6.0 * f64::from(zone) - 183.0
 }
 
+/// Degrees that a longitude in [−180, 180) lies east of a meridian of whole degrees, in [−180, 180]. Whole turns are taken
+/// from the longitude before the meridian is: it keeps every bit then, where a difference of 350° has lost one.
+fn east_of(meridian: f64, longitude: f64) -> f64 {
+    let turn = if longitude - meridian > 180.0 {
+        -360.0
+    } else if longitude - meridian < -180.0 {
+        360.0
+    } else {
+        0.0
+    };
+    longitude + turn - meridian
+}
+
+/// The longitude in [−180, 180) so many degrees east of a meridian, rounded once where both lie within a turn.
+fn shifted(meridian: f64, off: f64) -> f64 {
+    let turn = if meridian + off < -180.0 {
+        360.0
+    } else if meridian + off >= 180.0 {
+        -360.0
+    } else {
+        0.0
+    };
+    normalised_longitude(meridian + turn + off)
+}
+
 impl Utm {
     /// In the standard zone.
     pub fn of(latitude: f64, longitude: f64) -> Utm {
@@ -64,8 +89,7 @@ impl Utm {
             let (x, y) = ups_forward(north, latitude, longitude);
             return Utm { zone, north, easting: x + UPS_FALSE, northing: y + UPS_FALSE };
         }
-        let off = normalised_longitude(longitude - central_meridian(zone));
-        let (x, y) = utm_forward(latitude, off);
+        let (x, y) = utm_forward(latitude, east_of(central_meridian(zone), normalised_longitude(longitude)));
         Utm { zone, north, easting: x + UTM_EAST, northing: if north { y } else { y + UTM_SOUTH } }
     }
 
@@ -76,7 +100,7 @@ impl Utm {
         }
         let y = if self.north { self.northing } else { self.northing - UTM_SOUTH };
         let (latitude, off) = utm_reverse(self.easting - UTM_EAST, y);
-        (latitude, normalised_longitude(off + central_meridian(self.zone)))
+        (latitude, shifted(central_meridian(self.zone), off))
     }
 
     /// Why this is no point of the grids; `None` when it is one. Limits are those of MGRS, with a square to spare.
