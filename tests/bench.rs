@@ -56,6 +56,12 @@ fn the_metrics_are_listed() {
     for wrong in [&["bench"][..], &["bench", "--json"], &["bench", "run"], &["bench", "--list", "speed"]] {
         assert_eq!(orb(folder.path(), wrong).status.code(), Some(2), "{wrong:?}");
     }
+    // Where nothing can be published nothing is measured: told of before the scenes that do not exist either.
+    let taken = folder.path().join("taken");
+    std::fs::create_dir(&taken).unwrap();
+    std::fs::write(taken.join("notes.txt"), "the user's").unwrap();
+    let e = orb(folder.path(), &["bench", "run", "/nowhere", "-o", &taken.to_string_lossy()]);
+    assert!(String::from_utf8_lossy(&e.stderr).contains("taken") && !e.status.success());
     let e = orb(folder.path(), &["bench", "run", "/nowhere"]);
     assert!(String::from_utf8_lossy(&e.stderr).contains("/nowhere") && !e.status.success());
 }

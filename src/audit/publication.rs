@@ -7,7 +7,7 @@ mod place;
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::canonical;
 use super::checkpoint::Proof;
@@ -23,7 +23,7 @@ use super::statement::{Outcome, Subject};
 use super::store_merge::PreparedMerge;
 use super::trust::CertChain;
 use crate::{Error, Result};
-use place::{beside, check_free, exchange, lock_dir, put_in_place, sweep};
+use place::{beside, check_free, exchange, lock_dir, parent_and_name, put_in_place, sweep};
 
 /// The record: one DSSE envelope.
 pub const RECORD: &str = "orb-record.dsse.json";
@@ -120,22 +120,21 @@ impl Publication {
         Publication::begin_with(destination, Disk::default())
     }
 
+    /// Whether a folder may be published there: for work whose marking is known only in the end.
+    ///
+    /// # Errors
+    /// As [`Publication::begin`], but for what takes writing to find out.
+    pub fn check(folder: &Path, replace: bool) -> Result<()> {
+        let (parent, name) = parent_and_name(folder)?;
+        check_free(&parent.join(name), replace)
+    }
+
     pub(super) fn begin_with(to: &Destination, disk: Disk) -> Result<Publication> {
-        let absolute = std::path::absolute(&to.folder).map_err(|e| Error::io(&to.folder, &e))?;
-        let (Some(parent), Some(name)) = (absolute.parent(), absolute.file_name()) else {
-            return Err(Error::usage(to.folder.display().to_string())
-                .expected("the name of a new folder")
-                .advice("Choose another place with -o."));
-        };
-        let parent = parent.canonicalize().map_err(|e| {
-            Error::io(parent, &e)
-                .expected("an existing folder to publish in")
-                .advice("Make it first, or choose another place with -o.")
-        })?;
-        let folder = parent.join(name);
-        sweep(&parent, name, &disk);
+        let (parent, name) = parent_and_name(&to.folder)?;
+        let folder = parent.join(&name);
+        sweep(&parent, &name, &disk);
         check_free(&folder, to.replace)?;
-        let staging = parent.join(beside(name, &format!("{:016x}", to.nonce)));
+        let staging = parent.join(beside(&name, &format!("{:016x}", to.nonce)));
         disk.create_dir(&staging).map_err(|mut e| {
             e.subject = folder.display().to_string();
             e.expected = "a place where this user may write".into();

@@ -22,6 +22,22 @@ pub(super) fn beside(name: &std::ffi::OsStr, suffix: &str) -> OsString {
     out
 }
 
+/// The folder that a new one will lie in, whole, and its name.
+pub(super) fn parent_and_name(folder: &Path) -> Result<(PathBuf, OsString)> {
+    let absolute = std::path::absolute(folder).map_err(|e| Error::io(folder, &e))?;
+    let (Some(parent), Some(name)) = (absolute.parent(), absolute.file_name()) else {
+        return Err(Error::usage(folder.display().to_string())
+            .expected("the name of a new folder")
+            .advice("Choose another place with -o."));
+    };
+    let parent = parent.canonicalize().map_err(|e| {
+        Error::io(parent, &e)
+            .expected("an existing folder to publish in")
+            .advice("Make it first, or choose another place with -o.")
+    })?;
+    Ok((parent, name.to_owned()))
+}
+
 /// Refuses a destination that is not free, and in it files that Orb did not write.
 pub(super) fn check_free(folder: &Path, replace: bool) -> Result<()> {
     let in_use = |found: &str, advice: &str| {

@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::reconstruct;
 use crate::audit::statement::{Input, Model, Param};
-use crate::audit::{DataFolder, Marking, record, time};
+use crate::audit::{DataFolder, Marking, Publication, record, time};
 use crate::bench::efficiency::Finding;
 use crate::bench::evaluate::{Evaluation, Tools, evaluate};
 use crate::bench::report::{self, Run as Told};
@@ -94,6 +94,10 @@ impl Drop for Scratch {
 /// # Errors
 /// Usage for scenes, results and networks that cannot be used; policy for markings; `Cancelled`.
 pub fn publish(args: &Run, stop: &AtomicBool) -> Result<u8> {
+    if let Some(output) = &args.output {
+        // The marking, and with it the publication, is known only when all inputs have been read.
+        Publication::check(output, args.replace)?;
+    }
     let folders = scenes(&args.scenes)?;
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
     let own_system = args.results.is_none();
