@@ -8,9 +8,8 @@ use clap::{Args, ValueEnum};
 
 use super::bar::Bar;
 use super::format::{self, Content, Format, WriteArgs, safe_stem};
-use super::key::KeyArgs;
-use super::marking::{self, MarkingArgs};
-use super::sealed::{Evidence, SealedRun};
+use super::marking;
+use super::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::audit::statement::Param;
 use crate::audit::{record, time};
 use crate::export::import::{self, Imported, SplatAxes};
@@ -65,10 +64,6 @@ pub struct ExportArgs {
     #[arg(short = 'o', long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
-
     /// Metres in one unit of the input.
     #[arg(long, value_name = "METRES", default_value_t = 1.0, allow_negative_numbers = true)]
     pub scale: f64,
@@ -90,14 +85,7 @@ pub struct ExportArgs {
     pub write: WriteArgs,
 
     #[command(flatten)]
-    pub marking: MarkingArgs,
-
-    #[command(flatten)]
-    pub key: KeyArgs,
-
-    /// No progress, no summary.
-    #[arg(short, long)]
-    pub quiet: bool,
+    pub publish: PublishArgs,
 }
 
 /// Converts and publishes. `stop` is set by the interrupt handler.
@@ -117,12 +105,12 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let name = args.input.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let stem = safe_stem(&args.input);
     let own = marking::carried(&name, &bytes)?;
-    let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
-    let mut run = SealedRun::begin("orb export", &output, args.replace, handling, &args.key, args.quiet)?;
+    let mut run = SealedRun::begin("orb export", &output, handling, &args.publish)?;
     let target = args.write.target(&output, &stem)?;
-    let bar = Bar::new(stop, args.quiet);
+    let bar = Bar::new(stop, args.publish.quiet);
 
     bar.begin("reading", 0);
     let mut imported = import::read(&name, &bytes, args.axes.map(Into::into))?.scaled(args.scale);
@@ -165,7 +153,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         params: params(args, &placement, &catalogue, recentred),
     })?;
     bar.finish();
-    if !args.quiet {
+    if !args.publish.quiet {
         let o = &placement.origin;
         println!("{}\n{} files in {}", product.banner(), published.outputs.len(), published.folder.display());
         println!("at {}, {}, {} m, heading {}°", o.latitude, o.longitude, o.height, placement.heading);

@@ -19,10 +19,9 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, Format, WriteArgs, safe_stem};
-use super::key::KeyArgs;
-use super::marking::{self, MarkingArgs};
+use super::marking;
 use super::networks::{self, NetworkArgs};
-use super::sealed::{Evidence, SealedRun};
+use super::sealed::{Evidence, PublishArgs, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{DataFolder, record, time};
@@ -96,15 +95,8 @@ pub struct GeoArgs {
     #[arg(short = 'o', long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
-
     #[command(flatten)]
-    pub marking: MarkingArgs,
-
-    #[command(flatten)]
-    pub key: KeyArgs,
+    pub publish: PublishArgs,
 
     #[command(flatten)]
     pub write: WriteArgs,
@@ -164,10 +156,6 @@ pub struct GeoArgs {
     /// Memory stage by stage, the engine, and what the networks said.
     #[arg(short, long, conflicts_with = "quiet")]
     pub verbose: bool,
-
-    /// No progress, no summary.
-    #[arg(short, long)]
-    pub quiet: bool,
 }
 
 /// What keeps a run inside its time.
@@ -260,15 +248,15 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     plan.wanted.check(&photo.exif)?;
     let carried = marking::carried(&name, &bytes)?;
     let inputs = [vec![carried.clone()], plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
-    let handling = args.marking.decide(&inputs, &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(&inputs, &time::now()?.utc())?;
     let product = handling.marking.clone();
 
-    let mut run = SealedRun::begin("orb geo", &plan.output, args.replace, handling, &args.key, args.quiet)?;
+    let mut run = SealedRun::begin("orb geo", &plan.output, handling, &args.publish)?;
     let target = args.write.target(&plan.output, &plan.stem)?;
 
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut say = |line: &str| {
-        if !args.quiet {
+        if !args.publish.quiet {
             eprintln!("orb: {line}");
         }
     };
@@ -289,7 +277,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         symmetry: args.symmetry.into(),
         kept: args.kept.open()?,
     };
-    let bar = Bar::new(stop, args.quiet || args.json);
+    let bar = Bar::new(stop, args.publish.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
     let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
     let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, fitter, &settings, &bar)?;
@@ -365,7 +353,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
     if args.json {
         println!("{}", summary::json(&summary)?);
-    } else if !args.quiet {
+    } else if !args.publish.quiet {
         print!("{}", summary::text(&summary));
     }
     Ok(0)

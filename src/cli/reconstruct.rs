@@ -9,9 +9,8 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::geo::{self, Quality};
-use super::key::KeyArgs;
-use super::marking::{self, MarkingArgs};
-use super::sealed::{Evidence, SealedRun};
+use super::marking;
+use super::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::audit::statement::Param;
 use crate::audit::{record, time};
 use crate::models::Rten;
@@ -29,13 +28,8 @@ pub struct Reconstruct {
     /// Folder to publish; must not exist yet. Default: the photo's name without its extension.
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
     #[command(flatten)]
-    pub marking: MarkingArgs,
-    #[command(flatten)]
-    pub key: KeyArgs,
+    pub publish: PublishArgs,
     #[arg(long, value_enum, default_value = "standard")]
     pub quality: Quality,
     /// Optimisation steps, in place of what the quality and this machine suggest.
@@ -48,9 +42,6 @@ pub struct Reconstruct {
     pub seed: u64,
     #[command(flatten)]
     pub kept: CheckpointArgs,
-    /// No progress, no summary.
-    #[arg(short, long)]
-    pub quiet: bool,
 }
 
 /// Runs the verb. `stop` is set by the interrupt handler.
@@ -64,12 +55,12 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let photo = photo::decode(&name, &bytes, &limits)?;
     let kept = args.kept.open()?;
     let carried = marking::carried(&name, &bytes)?;
-    let handling = args.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
-    let mut sealed = SealedRun::begin("orb reconstruct", &output, args.replace, handling, &args.key, args.quiet)?;
+    let mut sealed = SealedRun::begin("orb reconstruct", &output, handling, &args.publish)?;
     let gpu = args.device.open_quietly(&mut |line| {
-        if !args.quiet {
+        if !args.publish.quiet {
             eprintln!("orb: {line}");
         }
     })?;
@@ -88,7 +79,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         symmetry: Use::Auto,
         kept,
     };
-    let bar = Bar::new(stop, args.quiet);
+    let bar = Bar::new(stop, args.publish.quiet);
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
     let done = pipeline::fit(&photo, &Rten, &Sources::default(), fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
@@ -112,7 +103,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         ]),
     })?;
     bar.finish();
-    if !args.quiet {
+    if !args.publish.quiet {
         let stages: Vec<String> =
             done.timings().iter().map(|t| format!("{} {:.1} s", t.stage, t.time.as_secs_f64())).collect();
         println!(

@@ -10,9 +10,8 @@ use serde_json::json;
 
 use super::bar::Bar;
 use super::device::Device;
-use super::key::KeyArgs;
-use super::marking::{self, MarkingArgs};
-use super::sealed::{Evidence, SealedRun};
+use super::marking;
+use super::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::audit::inband;
 use crate::audit::statement::Param;
 use crate::audit::{record, time};
@@ -53,15 +52,7 @@ pub struct Render {
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
     #[command(flatten)]
-    pub marking: MarkingArgs,
-    #[command(flatten)]
-    pub key: KeyArgs,
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
-    /// No progress, no summary.
-    #[arg(short, long)]
-    pub quiet: bool,
+    pub publish: PublishArgs,
 }
 
 /// Draws and publishes: every picture marked, all of them in a signed record. `stop` is set by the interrupt handler.
@@ -69,13 +60,13 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
     let bytes = std::fs::read(&args.scene).map_err(|e| Error::io(&args.scene, &e))?;
     let name = args.scene.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let own = marking::carried(&name, &bytes)?;
-    let handling = args.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
     let product = handling.marking.clone();
     let input = record::input(&name, &bytes, "application/ply", "scene", own);
-    let mut sealed = SealedRun::begin("orb render", &args.output, args.replace, handling, &args.key, args.quiet)?;
-    let bar = Bar::new(stop, args.quiet);
+    let mut sealed = SealedRun::begin("orb render", &args.output, handling, &args.publish)?;
+    let bar = Bar::new(stop, args.publish.quiet);
     let mut say = |line: &str| {
-        if !args.quiet {
+        if !args.publish.quiet {
             eprintln!("orb: {line}");
         }
     };
@@ -98,7 +89,7 @@ pub fn publish(args: &Render, stop: &AtomicBool) -> Result<u8> {
         ]),
     })?;
     bar.finish();
-    if !args.quiet {
+    if !args.publish.quiet {
         println!("{}\n{} files in {}", product.banner(), published.outputs.len(), published.folder.display());
     }
     Ok(0)
@@ -244,10 +235,7 @@ mod tests {
             normals: true,
             background: vec![0.0; 3],
             device: Device::Cpu,
-            marking: MarkingArgs::default(),
-            key: KeyArgs::default(),
-            replace: false,
-            quiet: true,
+            publish: PublishArgs { quiet: true, ..PublishArgs::default() },
         };
         let mut files = BTreeMap::new();
         let mut put = |name: &str, bytes: &[u8]| {

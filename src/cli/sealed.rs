@@ -4,11 +4,27 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::key::KeyArgs;
+use super::marking::MarkingArgs;
 use crate::audit::marking::handling::Handling;
 use crate::audit::statement::{Input, Model, Param};
 use crate::audit::{DataFolder, Destination, Ledger, Publication, Published, RecordDraft, SigningKey};
 use crate::audit::{TimeReading, events, time};
 use crate::{Error, Result};
+
+/// What every verb that publishes can be told.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct PublishArgs {
+    /// Replace a folder that Orb published earlier.
+    #[arg(long)]
+    pub replace: bool,
+    #[command(flatten)]
+    pub marking: MarkingArgs,
+    #[command(flatten)]
+    pub key: KeyArgs,
+    /// No progress, no summary.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
 
 /// A run that may publish, from its first check to its seal. Dropped before that, nothing of it remains.
 pub struct SealedRun {
@@ -35,21 +51,14 @@ impl SealedRun {
     ///
     /// # Errors
     /// As [`events::key_for_run`] and [`Publication::begin`].
-    pub fn begin(
-        command: &'static str,
-        folder: &Path,
-        replace: bool,
-        handling: Handling,
-        key: &KeyArgs,
-        quiet: bool,
-    ) -> Result<SealedRun> {
-        let ntp_server = key.ntp_server.clone();
+    pub fn begin(command: &'static str, folder: &Path, handling: Handling, args: &PublishArgs) -> Result<SealedRun> {
+        let ntp_server = args.key.ntp_server.clone();
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-        let key = events::key_for_run(&data, command, &handling.marking, key.named())?;
+        let key = events::key_for_run(&data, command, &handling.marking, args.key.named())?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");
         }
-        if key.created && !quiet {
+        if key.created && !args.quiet {
             let fingerprint = key.key.public().fingerprint();
             eprintln!("orb: made a signing key in {}, fingerprint {fingerprint}", data.path().display());
         }
@@ -60,7 +69,8 @@ impl SealedRun {
         random(&mut event_random)?;
         random(&mut nonce)?;
         let nonce = u64::from_le_bytes(nonce);
-        let destination = Destination { folder: folder.to_owned(), replace, handling: handling.clone(), nonce };
+        let destination =
+            Destination { folder: folder.to_owned(), replace: args.replace, handling: handling.clone(), nonce };
         let publication = Publication::begin(&destination)?;
         Ok(SealedRun { command, data, key: key.key, handling, event_random, ntp_server, publication })
     }

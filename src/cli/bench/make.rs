@@ -9,9 +9,7 @@ use crate::audit::statement::Param;
 use crate::audit::time;
 use crate::bench::make::{self, Options};
 use crate::cli::bar::Bar;
-use crate::cli::key::KeyArgs;
-use crate::cli::marking::MarkingArgs;
-use crate::cli::sealed::{Evidence, SealedRun};
+use crate::cli::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::progress::Progress;
 
 /// Make scenes whose truth is known: photo, mask, held-back views, cameras, mesh.
@@ -36,15 +34,7 @@ pub struct Make {
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=2048))]
     pub view_size: u32,
     #[command(flatten)]
-    pub marking: MarkingArgs,
-    #[command(flatten)]
-    pub key: KeyArgs,
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
-    /// No progress, no summary.
-    #[arg(short, long)]
-    pub quiet: bool,
+    pub publish: PublishArgs,
 }
 
 /// Makes and publishes. `stop` is set by the interrupt handler.
@@ -52,11 +42,11 @@ pub struct Make {
 /// # Errors
 /// As [`SealedRun`]; `Cancelled`.
 pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
-    let handling = args.marking.decide(&[], &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(&[], &time::now()?.utc())?;
     let marking = handling.marking.clone();
-    let mut sealed = SealedRun::begin("orb bench make", &args.output, args.replace, handling, &args.key, args.quiet)?;
+    let mut sealed = SealedRun::begin("orb bench make", &args.output, handling, &args.publish)?;
     let options = Options { seed: args.seed, photo: args.size, views: args.views as usize, view: args.view_size };
-    let bar = Bar::new(stop, args.quiet);
+    let bar = Bar::new(stop, args.publish.quiet);
     bar.begin("making scenes", args.scenes.into());
     for i in 0..args.scenes as usize {
         bar.check()?;
@@ -77,7 +67,7 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
         ]),
     })?;
     bar.finish();
-    if !args.quiet {
+    if !args.publish.quiet {
         println!("{}\n{} scenes in {}", marking.banner(), args.scenes, published.folder.display());
     }
     Ok(0)

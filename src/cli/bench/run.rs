@@ -17,10 +17,9 @@ use crate::bench::scene::{self, Scene};
 use crate::bench::score::{self, Values};
 use crate::bench::submission::{self, FileFact};
 use crate::cli::bar::Bar;
-use crate::cli::key::KeyArgs;
-use crate::cli::marking::{self, MarkingArgs};
+use crate::cli::marking;
 use crate::cli::networks::{EngineArgs, registry};
-use crate::cli::sealed::{Evidence, SealedRun};
+use crate::cli::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::models::Graph;
 use crate::progress::{Progress, Silent};
 use crate::{Error, Result};
@@ -68,15 +67,7 @@ pub struct Run {
     #[command(flatten)]
     pub engine: EngineArgs,
     #[command(flatten)]
-    pub marking: MarkingArgs,
-    #[command(flatten)]
-    pub key: KeyArgs,
-    /// Replace a folder that Orb published earlier.
-    #[arg(long)]
-    pub replace: bool,
-    /// No progress.
-    #[arg(short, long)]
-    pub quiet: bool,
+    pub publish: PublishArgs,
 }
 
 /// A folder of this process that is gone when it is dropped.
@@ -89,6 +80,35 @@ impl Drop for Scratch {
     }
 }
 
+/// Where the results lie, and what Orb needs to make its own.
+struct Results {
+    folder: PathBuf,
+    /// Only where Orb makes them.
+    own: Option<Own>,
+}
+
+struct Own {
+    scratch: Scratch,
+    models: PathBuf,
+    options: [String; 2],
+}
+
+/// What was read, and how it was marked.
+#[derive(Default)]
+struct Inputs {
+    records: Vec<Input>,
+    markings: Vec<Option<Marking>>,
+}
+
+impl Inputs {
+    fn add(&mut self, name: &str, bytes: &[u8], role: &str) -> Result<()> {
+        let own = marking::carried(name, bytes)?;
+        self.records.push(record::input(name, bytes, media_type(name), role, own.clone()));
+        self.markings.push(own);
+        Ok(())
+    }
+}
+
 /// Scores, prints and, with -o, publishes. `stop` is set by the interrupt handler.
 ///
 /// # Errors
@@ -96,29 +116,11 @@ impl Drop for Scratch {
 pub fn publish(args: &Run, stop: &AtomicBool) -> Result<u8> {
     if let Some(output) = &args.output {
         // The marking, and with it the publication, is known only when all inputs have been read.
-        Publication::check(output, args.replace)?;
+        Publication::check(output, args.publish.replace)?;
     }
     let folders = scenes(&args.scenes)?;
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-    let own_system = args.results.is_none();
-    let scratch = match own_system {
-        true => Some(Scratch(fresh_folder()?)),
-        false => None,
-    };
-    let results = match (&args.results, &args.keep, &scratch) {
-        (Some(results), ..) => results.clone(),
-        (None, Some(keep), _) => {
-            std::fs::create_dir(keep).map_err(|e| Error::io(keep, &e).expected("a folder that does not exist yet"))?;
-            keep.clone()
-        }
-        (None, None, Some(scratch)) => scratch.0.join("results"),
-        (None, None, None) => return Err(Error::usage("--results").expected("a folder").found("none")),
-    };
-    if own_system && args.keep.is_none() {
-        std::fs::create_dir(&results).map_err(|e| Error::io(&results, &e))?;
-    }
-    let mut inputs: Vec<Input> = Vec::new();
-    let mut markings: Vec<Option<Marking>> = Vec::new();
+    let results = results(args, &data)?;
     let (lpips, clip) = (network(args, &data, &args.lpips)?, network(args, &data, &args.clip)?);
     let models: Vec<Model> = [("lpips", &lpips), ("clip", &clip)]
         .into_iter()
@@ -130,86 +132,37 @@ pub fn publish(args: &Run, stop: &AtomicBool) -> Result<u8> {
         most_pixels: args.pixels,
         draw_for: (!args.no_speed).then_some(Duration::from_secs(1)),
     };
-    let bar = Bar::new(stop, args.quiet || args.json || args.csv);
+    let bar = Bar::new(stop, args.publish.quiet || args.json || args.csv);
     bar.begin("scenes", folders.len() as u64);
+    let mut inputs = Inputs::default();
     let mut done: Vec<Evaluation> = Vec::new();
     for (i, folder) in folders.iter().enumerate() {
         bar.check()?;
-        let scene = scene::read(folder)?;
-        for file in given(&scene) {
-            let bytes = std::fs::read(&file).map_err(|e| Error::io(&file, &e))?;
-            let name = format!("{}/{}", scene.name, file.file_name().unwrap_or_default().to_string_lossy());
-            let own = marking::carried(&name, &bytes)?;
-            inputs.push(record::input(&name, &bytes, media_type(&name), "truth", own.clone()));
-            markings.push(own);
-        }
-        let mut cost = None;
-        let mut failure = String::new();
-        if let (true, Some(photo), Some(scratch)) = (own_system, &scene.photo, &scratch) {
-            let options = ["--quality".to_owned(), args.quality.clone()];
-            let (to, keys) = (results.join(&scene.name), scratch.0.join("data"));
-            let models = registry(&data);
-            match reconstruct::run(&photo.file, &to, &keys, models.root(), &options) {
-                Ok(c) => cost = Some(c),
-                Err(e) if e.kind == crate::Kind::Cancelled => return Err(Error::cancelled()),
-                // A system that gives nothing gets nothing: the scene stays, without a value.
-                Err(e) => failure = e.to_string(),
-            }
-        }
-        let found = submission::find(&results, &scene.name);
-        let evaluation = match found {
-            None => without_result(&scene, &failure),
-            Some(path) => {
-                let mut result = submission::read(&path)?;
-                if let Some(cost) = cost {
-                    (result.seconds, result.peak_memory_bytes) = (cost.seconds, cost.peak_memory_bytes);
-                    result.offline = cost.offline;
-                    result.files.extend(store_fact(&path));
-                }
-                for (name, bytes) in &result.inputs {
-                    let name = format!("{}/{name}", scene.name);
-                    let own = marking::carried(&name, bytes)?;
-                    inputs.push(record::input(&name, bytes, media_type(&name), "result", own.clone()));
-                    markings.push(own);
-                }
-                evaluate(&scene, &result, &tools, &Silent)?
-            }
-        };
-        done.push(evaluation);
+        done.push(score_scene(&scene::read(folder)?, &results, &tools, &mut inputs)?);
         bar.step(i as u64 + 1);
     }
     bar.finish();
     let values: Vec<Values> = done.iter().map(|e| e.values.clone()).collect();
     let scores = score::add_up(&values);
-    let handling = args.marking.decide(&markings, &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(&inputs.markings, &time::now()?.utc())?;
     let banner = handling.marking.banner();
-    let system = match &args.system {
-        Some(name) => name.clone(),
-        None if own_system => format!("Orb {}, quality {}", env!("CARGO_PKG_VERSION"), args.quality),
-        None => results.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+    let system = match (&args.system, &results.own) {
+        (Some(name), _) => name.clone(),
+        (None, Some(_)) => format!("Orb {}, quality {}", env!("CARGO_PKG_VERSION"), args.quality),
+        (None, None) => results.folder.file_name().unwrap_or_default().to_string_lossy().into_owned(),
     };
     let told = Told { scores: &scores, scenes: &done, system: &system, marking: &banner };
-    let json = format!(
-        "{}\n",
-        serde_json::to_string_pretty(&report::json(&told))
-            .map_err(|e| Error::environment("--json").found(e.to_string()))?
-    );
+    let json = serde_json::to_string_pretty(&report::json(&told));
+    let json = json.map_err(|e| Error::environment("--json").found(e.to_string()))? + "\n";
     if let Some(output) = &args.output {
-        let mut sealed = SealedRun::begin(
-            "orb bench run",
-            output,
-            args.replace,
-            handling,
-            &args.key,
-            args.quiet || args.json || args.csv,
-        )?;
+        let mut sealed = SealedRun::begin("orb bench run", output, handling, &args.publish)?;
         sealed.publication.add("report.html", report::page(&told).as_bytes(), "text/html", "report")?;
         sealed.publication.add("scores.json", json.as_bytes(), "application/json", "scores")?;
         sealed.publication.add("scores.csv", report::csv(&told).as_bytes(), "text/csv", "scores")?;
         sealed.seal(Evidence {
             event_type: "bench.run",
             time: time::now()?,
-            inputs,
+            inputs: inputs.records,
             models,
             params: BTreeMap::from([
                 ("system".into(), Param::Text(record::printable(&system))),
@@ -229,6 +182,51 @@ pub fn publish(args: &Run, stop: &AtomicBool) -> Result<u8> {
         }
     }
     Ok(0)
+}
+
+/// Anyone's results, or an empty folder for Orb's own.
+fn results(args: &Run, data: &DataFolder) -> Result<Results> {
+    if let Some(folder) = &args.results {
+        return Ok(Results { folder: folder.clone(), own: None });
+    }
+    let scratch = Scratch(fresh_folder()?);
+    let folder = args.keep.clone().unwrap_or_else(|| scratch.0.join("results"));
+    std::fs::create_dir(&folder).map_err(|e| Error::io(&folder, &e).expected("a folder that does not exist yet"))?;
+    let options = ["--quality".to_owned(), args.quality.clone()];
+    Ok(Results { folder, own: Some(Own { scratch, models: registry(data).root().to_owned(), options }) })
+}
+
+/// One scene's metrics; what was read for them is added to `inputs`.
+fn score_scene(scene: &Scene, results: &Results, tools: &Tools, inputs: &mut Inputs) -> Result<Evaluation> {
+    for file in given(scene) {
+        let bytes = std::fs::read(&file).map_err(|e| Error::io(&file, &e))?;
+        let name = format!("{}/{}", scene.name, file.file_name().unwrap_or_default().to_string_lossy());
+        inputs.add(&name, &bytes, "truth")?;
+    }
+    let mut cost = None;
+    let mut failure = String::new();
+    if let (Some(own), Some(photo)) = (&results.own, &scene.photo) {
+        let (to, keys) = (results.folder.join(&scene.name), own.scratch.0.join("data"));
+        match reconstruct::run(&photo.file, &to, &keys, &own.models, &own.options) {
+            Ok(c) => cost = Some(c),
+            Err(e) if e.kind == crate::Kind::Cancelled => return Err(Error::cancelled()),
+            // A system that gives nothing gets nothing: the scene stays, without a value.
+            Err(e) => failure = e.to_string(),
+        }
+    }
+    let Some(path) = submission::find(&results.folder, &scene.name) else {
+        return Ok(without_result(scene, &failure));
+    };
+    let mut result = submission::read(&path)?;
+    if let Some(cost) = cost {
+        (result.seconds, result.peak_memory_bytes) = (cost.seconds, cost.peak_memory_bytes);
+        result.offline = cost.offline;
+        result.files.extend(store_fact(&path));
+    }
+    for (name, bytes) in &result.inputs {
+        inputs.add(&format!("{}/{name}", scene.name), bytes, "result")?;
+    }
+    evaluate(scene, &result, tools, &Silent)
 }
 
 /// Scenes as given, and the scenes inside of folders that are none, by name.

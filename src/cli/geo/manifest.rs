@@ -75,13 +75,13 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
         match end {
             End::Done => {
                 done += 1;
-                if !args.quiet && !args.json {
+                if !args.publish.quiet && !args.json {
                     println!("line {:<7} {label}: published", line.number);
                 }
             }
             End::Already => {
                 already += 1;
-                if !args.quiet && !args.json {
+                if !args.publish.quiet && !args.json {
                     println!("line {:<7} {label}: published already", line.number);
                 }
             }
@@ -103,7 +103,7 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
     if args.json {
         let object = serde_json::json!({"lines": lines.len(), "published": done, "already": already, "failed": failed});
         println!("{object}");
-    } else if !args.quiet {
+    } else if !args.publish.quiet {
         println!("{summary}");
     }
     Ok(if failed.is_empty() { 0 } else { Kind::Incomplete.exit_code() })
@@ -139,7 +139,7 @@ fn one(
         taken.push((name.clone(), line.number));
         let folder = output.join(&name);
         let key = line.key();
-        if folder.join("orb-record.dsse.json").is_file() && !own.replace {
+        if folder.join("orb-record.dsse.json").is_file() && !own.publish.replace {
             return match published_line(&folder) {
                 Some(found) if found == key => Ok(End::Already),
                 _ => Err(Error::usage(folder.display().to_string())
@@ -150,7 +150,7 @@ fn one(
         }
         own.output = Some(folder);
         own.stem = Some(name);
-        own.quiet = true;
+        own.publish.quiet = true;
         own.json = false;
         own.photo = Some(photo);
         publish_one(&own, stop, Some(&key)).map(|_| End::Done)
@@ -233,7 +233,7 @@ impl Line {
         w.dis = self.get("dis").map(str::to_owned).or(w.dis.take());
         w.material = self.get("material").map(str::to_owned).or(w.material.take());
         if let Some(banner) = self.get("classification") {
-            to.marking.classification = Some(banner.to_owned());
+            to.publish.marking.classification = Some(banner.to_owned());
         }
         self.get("photo")
             .map(PathBuf::from)
