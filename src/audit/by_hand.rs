@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use super::disk;
-use super::publication::{RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_SIG, RECORD_STAMP, STORE_PREFIX};
+use super::publication::{
+    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_KEY_2, RECORD_PAE, RECORD_SIG, RECORD_SIG_2, RECORD_STAMP, STORE_PREFIX,
+};
 use super::time;
 use super::verify::read_record;
 use crate::Result;
@@ -17,7 +19,11 @@ pub fn openssl_commands(folder: &Path) -> Result<String> {
     let quoted = format!("'{}'", folder.display().to_string().replace('\'', r"'\''"));
     let first = envelope.pae().len() - envelope.payload.len() + 1;
     let trail_hash = statement.predicate.trail_hash.as_deref().unwrap_or_default();
-    let digest = statement.predicate.actor.algorithm.replace("RS", "sha");
+    let actor = &statement.predicate.actor;
+    let mut signatures = signature(&actor.algorithm, RECORD_KEY, RECORD_SIG);
+    if let Some(other) = actor.co_signers.iter().flatten().next() {
+        signatures.push_str(&signature(&other.algorithm, RECORD_KEY_2, RECORD_SIG_2));
+    }
     let mut others = String::new();
     if folder.join(RECORD_CHAIN).is_file() {
         let at = time::parse_utc(&statement.predicate.time.utc).unwrap_or_default() / 1000;
@@ -42,10 +48,7 @@ pub fn openssl_commands(folder: &Path) -> Result<String> {
     }
     Ok(format!(
         "cd {quoted}\n\
-         # The signer's key: compare with the fingerprint that the signer told you.\n\
-         openssl pkey -pubin -in {RECORD_KEY} -outform DER | sha256sum\n\
-         # The signature over the record's bytes.\n\
-         openssl dgst -{digest} -verify {RECORD_KEY} -signature {RECORD_SIG} {RECORD_PAE}\n\
+         {signatures}\
          # Those bytes are the record's: two equal lines.\n\
          sed 's/.*\"payload\":\"\\([^\"]*\\)\".*/\\1/' {RECORD} | base64 -d | sha256sum\n\
          tail -c +{first} {RECORD_PAE} | sha256sum\n\
@@ -55,4 +58,19 @@ pub fn openssl_commands(folder: &Path) -> Result<String> {
          # Every output.\n\
          sha256sum -c <<'END'\n{sums}END\n"
     ))
+}
+
+/// The commands for one signature over the record's bytes and its key.
+fn signature(algorithm: &str, key: &str, sig: &str) -> String {
+    let verify = match algorithm.strip_prefix("RS") {
+        Some(bits) => format!("openssl dgst -sha{bits} -verify {key} -signature {sig} {RECORD_PAE}"),
+        None => format!("openssl pkeyutl -verify -pubin -inkey {key} -rawin -in {RECORD_PAE} -sigfile {sig}"),
+    };
+    let needs = if algorithm.starts_with("RS") { String::new() } else { format!(" {algorithm} needs OpenSSL 3.5.") };
+    format!(
+        "# The signer's key: compare with the fingerprint that the signer told you.{needs}\n\
+         openssl pkey -pubin -in {key} -outform DER | sha256sum\n\
+         # The signature over the record's bytes.\n\
+         {verify}\n"
+    )
 }

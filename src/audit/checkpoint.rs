@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::canonical::{self, Fault};
-use super::dsse::{self, Envelope, Signature};
+use super::dsse::{self, Envelope};
 use super::keys::SigningKey;
 use super::merkle::{self, Frontier, Hash};
 use super::record::Sealed;
@@ -49,9 +49,8 @@ impl Checkpoint {
     /// [`crate::Kind::Environment`] when the key cannot sign.
     pub fn sign(&self, key: &SigningKey) -> Result<Envelope> {
         let payload = canonical::to_vec(self).map_err(|f| Error::usage("checkpoint").found(f.detail().to_owned()))?;
-        let sig = key.sign(&dsse::pae(PAYLOAD_TYPE, &payload))?;
-        let keyid = key.public().fingerprint().to_owned();
-        Ok(Envelope { payload, payload_type: PAYLOAD_TYPE.into(), signatures: vec![Signature { keyid, sig }] })
+        let signatures = key.signatures(&dsse::pae(PAYLOAD_TYPE, &payload))?;
+        Ok(Envelope { payload, payload_type: PAYLOAD_TYPE.into(), signatures })
     }
 
     /// Reads an envelope's payload; the signature is the caller's to check.

@@ -129,11 +129,16 @@ pub fn log(data: &DataFolder, happened: &Happened<'_>) -> Result<()> {
     if !happened.begins_a_ledger && !keys::has_own(data) {
         return Ok(());
     }
+    append(data, &own_key(data, happened.command)?, happened)
+}
+
+/// The user's own key. That it is made is an event.
+fn own_key(data: &DataFolder, command: &str) -> Result<SigningKey> {
     let (key, created) = keys::own(data)?;
     if created {
-        append(data, &key, &key_made(&key, happened.command))?;
+        append(data, &key, &about_key("key.generate", command, &key))?;
     }
-    append(data, &key, happened)
+    Ok(key)
 }
 
 /// The verdict of a verification, as [`log`]; that it cannot be recorded changes nothing about it.
@@ -166,23 +171,24 @@ pub fn key_for_run(
 ) -> Result<keys::KeyForRun> {
     let run = keys::for_marking(data, marking, named)?;
     if run.created {
-        append(data, &run.key, &key_made(&run.key, command))?;
+        append(data, &run.key, &about_key("key.generate", command, &run.key))?;
         return Ok(run);
     }
     // Who signs with a named key has events too, and their key is their own.
-    let (own, created) = keys::own(data)?;
-    if created {
-        append(data, &own, &key_made(&own, command))?;
-    }
+    let own = own_key(data, command)?;
     if run.newly_trusted {
-        let fingerprint = run.key.public().fingerprint();
-        append(data, &own, &Happened::new("key.trust", command).to("key_fingerprint", fingerprint))?;
+        append(data, &own, &about_key("key.trust", command, &run.key))?;
     }
     Ok(run)
 }
 
-fn key_made<'a>(key: &SigningKey, command: &'a str) -> Happened<'a> {
-    Happened::new("key.generate", command).to("key_fingerprint", key.public().fingerprint())
+/// An event that a key is the subject of, or both of a hybrid signer.
+pub fn about_key<'a>(kind: &'static str, command: &'a str, key: &SigningKey) -> Happened<'a> {
+    let happened = Happened::new(kind, command).to("key_fingerprint", key.public().fingerprint());
+    match key.partner() {
+        None => happened,
+        Some(other) => happened.to("second_key_fingerprint", other.public().fingerprint()),
+    }
 }
 
 fn append(data: &DataFolder, key: &SigningKey, happened: &Happened<'_>) -> Result<()> {

@@ -46,6 +46,18 @@ pub fn decode(label: &str, text: &str) -> Result<Vec<u8>, String> {
     Err("a PEM block without its end".into())
 }
 
+/// The text of each block. What stands before the first belongs to it, so that [`decode`] refuses both.
+pub fn blocks(text: &str) -> Vec<&str> {
+    let mut blocks = Vec::new();
+    let mut from = 0;
+    for (at, _) in text.match_indices("-----BEGIN ").skip(1) {
+        blocks.push(&text[from..at]);
+        from = at;
+    }
+    blocks.push(&text[from..]);
+    blocks
+}
+
 /// Reads one block after another, as chains of certificates stand in files; other lines between them are left out.
 pub fn decode_all(label: &str, text: &str) -> Result<Vec<Vec<u8>>, String> {
     let (begin, end) = (format!("-----BEGIN {label}-----"), format!("-----END {label}-----"));
@@ -73,6 +85,16 @@ mod tests {
             assert_eq!(decode("PUBLIC KEY", &text.replace('\n', "\r\n")), Ok(der));
             assert!(decode("PRIVATE KEY", &text).unwrap_err().contains("PUBLIC KEY"));
         }
+    }
+
+    #[test]
+    fn blocks_one_after_another() {
+        let (a, b) = (encode("PUBLIC KEY", b"one"), encode("PUBLIC KEY", b"two"));
+        assert_eq!(blocks(&format!("{a}{b}")), [a.as_str(), &b]);
+        assert_eq!(blocks(&a), [a.as_str()]);
+        assert_eq!(blocks(""), [""]);
+        let before = format!("words\n{a}");
+        assert!(blocks(&before) == [before.as_str()] && decode("PUBLIC KEY", &before).is_err());
     }
 
     #[test]

@@ -33,6 +33,10 @@ pub const RECORD_PAE: &str = "orb-record.pae";
 pub const RECORD_SIG: &str = "orb-record.sig";
 /// The signer's public key. It stands here for convenience; trust comes from elsewhere.
 pub const RECORD_KEY: &str = "orb-record.pub.pem";
+/// The second signature, where two keys sign.
+pub const RECORD_SIG_2: &str = "orb-record.second.sig";
+/// The second key.
+pub const RECORD_KEY_2: &str = "orb-record.second.pub.pem";
 /// That the record stands in the signer's ledger: its place and a signed checkpoint.
 pub const RECORD_PROOF: &str = "orb-proof.tlog";
 /// The signer's certificates, where the key has some.
@@ -45,8 +49,8 @@ pub const MARKING_SIDECAR: &str = "orb-marking.json";
 pub const STORE_PREFIX: &str = "store:";
 
 /// Written by the seal itself, so they cannot be among the subjects.
-pub const SEAL_FILES: [&str; 7] =
-    [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_PROOF, RECORD_CHAIN, RECORD_STAMP];
+pub const SEAL_FILES: [&str; 9] =
+    [RECORD, RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_SIG_2, RECORD_KEY_2, RECORD_PROOF, RECORD_CHAIN, RECORD_STAMP];
 
 /// Where and as what to publish.
 #[derive(Clone, Debug)]
@@ -265,17 +269,13 @@ impl Publication {
         let line = sealed.envelope.to_line();
         let proof = proof.to_line();
         let pae = sealed.envelope.pae();
-        let sig = sealed.envelope.signatures.first().map(|s| s.sig.as_slice()).unwrap_or_default();
-        let pem = key.public().to_pem();
+        let pems: Vec<String> = key.all().map(|k| k.public().to_pem()).collect();
         let chain = key.chain().map(CertChain::to_pem);
-        let files = [
-            (RECORD, line.as_slice()),
-            (RECORD_PAE, &pae),
-            (RECORD_SIG, sig),
-            (RECORD_KEY, pem.as_bytes()),
-            (RECORD_PROOF, &proof),
-        ];
-        for (name, bytes) in files.into_iter().chain(chain.as_ref().map(|pem| (RECORD_CHAIN, pem.as_bytes()))) {
+        let mut files = vec![(RECORD, line.as_slice()), (RECORD_PAE, &pae), (RECORD_PROOF, &proof)];
+        files.extend([RECORD_SIG, RECORD_SIG_2].into_iter().zip(sealed.envelope.signatures.iter().map(|s| &s.sig[..])));
+        files.extend([RECORD_KEY, RECORD_KEY_2].into_iter().zip(pems.iter().map(String::as_bytes)));
+        files.extend(chain.as_ref().map(|pem| (RECORD_CHAIN, pem.as_bytes())));
+        for (name, bytes) in files {
             self.disk.write_new(&self.staging.join(name), bytes).map_err(|e| self.in_words(name, e))?;
         }
         for entry in disk::walk(&self.staging)?.iter().filter(|e| e.is_dir) {

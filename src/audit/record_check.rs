@@ -1,7 +1,7 @@
 //! The checks of one record, wherever it stands: beside its outputs or in a ledger.
 
 use super::dsse::Envelope;
-use super::keys::{ADVISED_BITS, Algorithm, PublicKey};
+use super::keys::{Algorithm, PublicKey};
 use super::marking::{Ism, Marking};
 use super::record;
 use super::report::{Finding, Severity, Verdict};
@@ -78,7 +78,7 @@ pub(super) fn check_signatures<'a>(
             Ok(None) => {
                 found.push(match key.refused_algorithm(&message, &signature.sig) {
                     Some(refused) => Finding::new("ALG_REFUSED", subject)
-                        .expected(Algorithm::ALL.map(Algorithm::name).join(" or "))
+                        .expected(key.algorithms().iter().map(|a| a.name()).collect::<Vec<_>>().join(" or "))
                         .actual(refused),
                     None => {
                         Finding::new("SIG_INVALID", subject).expected(format!("a signature by {}", key.fingerprint()))
@@ -94,6 +94,12 @@ pub(super) fn check_signatures<'a>(
                 );
                 all_good = false;
             }
+        }
+    }
+    for wanted in signers.iter().filter_map(|s| trust.partner_of(s.key.fingerprint())) {
+        if envelope.signatures.iter().all(|s| s.keyid != wanted) {
+            found.push(Finding::new("SIGNATURE_MISSING", subject).expected(format!("a signature by {wanted} too")));
+            all_good = false;
         }
     }
     if all_good { signers } else { Vec::new() }
@@ -187,8 +193,18 @@ pub(super) fn check_fields(
                     .actual(&p.actor.key_fingerprint),
             );
         }
-        if signer.bits() < ADVISED_BITS {
-            found.push(Finding::new("KEY_SHORT", "signing key").actual(format!("{} bits", signer.bits())));
+        if let Some(bits) = signer.short_bits() {
+            found.push(Finding::new("KEY_SHORT", "signing key").actual(format!("{bits} bits")));
+        }
+        for other in p.actor.co_signers.iter().flatten() {
+            let signed =
+                |s: &Signer<'_>| s.key.fingerprint() == other.key_fingerprint && s.algorithm.name() == other.algorithm;
+            if !signers.iter().any(signed) {
+                found.push(
+                    Finding::new("SIGNATURE_MISSING", "actor.co_signers")
+                        .expected(format!("a signature by {} ({})", other.key_fingerprint, other.algorithm)),
+                );
+            }
         }
     }
     if (p.chain.seq == 0) != (p.chain.prev == GENESIS) {

@@ -124,9 +124,9 @@ fn controls(code: &str) -> &'static [&'static str] {
     match code {
         "OUTPUT_DIGEST" | "OUTPUT_MISSING" | "OUTPUT_EXTRA" | "INPUT_DIGEST" | "INPUT_MISSING" | "MODEL_DIGEST"
         | "MODEL_NOT_ALLOWED" | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
-        "SIG_INVALID" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY" | "KEY_EXPIRED" | "KEY_REVOKED"
-        | "KEY_REVOKED_LATER" | "KEY_SCOPE" | "CERT_EXPIRED" | "CERT_REVOKED" | "CERT_REVOKED_LATER"
-        | "CERT_UNTRUSTED" => &["au-9.3", "au-10"],
+        "SIG_INVALID" | "SIGNATURE_MISSING" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY"
+        | "KEY_EXPIRED" | "KEY_REVOKED" | "KEY_REVOKED_LATER" | "KEY_SCOPE" | "CERT_EXPIRED" | "CERT_REVOKED"
+        | "CERT_REVOKED_LATER" | "CERT_UNTRUSTED" => &["au-9.3", "au-10"],
         "ALG_REFUSED" | "KEY_SHORT" => &["sc-13"],
         "TIME_STAMPED"
         | "TIME_STAMP_UNTRUSTED"
@@ -156,6 +156,9 @@ fn hint(code: &str) -> &'static str {
              this folder, and name it with --trust-key."
         }
         "SIG_INVALID" => "The record was changed after it was signed.",
+        "SIGNATURE_MISSING" => {
+            "One of two keys that only count together did not sign, or its signature was taken away."
+        }
         "SIGNER_MISMATCH" => "The record names another key than the one that signed it.",
         "NOT_CANONICAL" => "The same words in another spelling: the file was rewritten after it was signed.",
         "TRAIL_HASH_MISMATCH" => "The record was changed after it was sealed.",
@@ -237,6 +240,9 @@ pub struct Report {
     pub anchored_through: Option<u64>,
     pub trust_store_sha256: String,
     pub signed_by: Option<String>,
+    /// The other keys whose signatures are good.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub also_signed_by: Vec<String>,
     pub trail_hash: Option<String>,
     pub time: Option<String>,
     pub counts: Counts,
@@ -256,6 +262,7 @@ impl Report {
             anchored_through: None,
             trust_store_sha256: trust.sha256(),
             signed_by: None,
+            also_signed_by: Vec::new(),
             trail_hash: None,
             time: None,
             counts: Counts::default(),
@@ -333,12 +340,10 @@ impl Report {
         let banner = self.marking.as_deref().map(|m| format!("{m}\n")).unwrap_or_default();
         out.push_str(&banner);
         let _ = writeln!(out, "{}. Evidence only, not an authorisation.", self.sentence());
-        for (name, value) in [
-            ("signed by", &self.signed_by),
-            ("trail hash", &self.trail_hash),
-            ("time", &self.time),
-            ("ledger", &self.ledger_id),
-        ] {
+        for fingerprint in self.signed_by.iter().chain(&self.also_signed_by) {
+            let _ = writeln!(out, "  {:<12}{fingerprint}", "signed by");
+        }
+        for (name, value) in [("trail hash", &self.trail_hash), ("time", &self.time), ("ledger", &self.ledger_id)] {
             if let Some(value) = value {
                 let _ = writeln!(out, "  {name:<12}{value}");
             }

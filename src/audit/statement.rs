@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::canonical::{self, Fault, Json};
+use super::keys::SigningKey;
 use super::marking::Marking;
 use super::marking::authority::{Authority, Designation};
 pub use super::marking::{Ism, Profile};
@@ -151,6 +152,22 @@ pub struct Actor {
     /// SHA-256 of the signer's certificate and of those between it and an authority; since minor version 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cert_chain_sha256: Option<Vec<String>>,
+    /// Who else signed, where one signature is not enough: all of theirs are required; since minor version 3.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub co_signers: Option<Vec<CoSigner>>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoSigner {
+    pub key_fingerprint: String,
+    pub algorithm: String,
+}
+
+impl CoSigner {
+    pub fn of(key: &SigningKey) -> CoSigner {
+        CoSigner { key_fingerprint: key.public().fingerprint().into(), algorithm: key.algorithm().name().into() }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -346,6 +363,9 @@ impl Statement {
             hex("actor.cert_chain_sha256", sha256, 64)?;
         }
         hex("actor.key_fingerprint", &p.actor.key_fingerprint, 64)?;
+        for other in p.actor.co_signers.iter().flatten() {
+            hex("actor.co_signers.key_fingerprint", &other.key_fingerprint, 64)?;
+        }
         if time::parse_utc(&p.time.utc).is_none() {
             return Err(format!("time.utc {:?}: expected YYYY-MM-DDTHH:MM:SS.mmmZ", p.time.utc));
         }

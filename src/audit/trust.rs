@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use super::canonical::{self, sha256_hex};
 use super::data_folder::DataFolder;
 use super::disk::{self, Disk};
-use super::keys::PublicKey;
+use super::keys::{PublicKey, SigningKey};
 use super::marking::Marking;
 use super::pem;
 use crate::{Error, Result};
@@ -38,6 +38,8 @@ pub struct TrustStore {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Added {
     Key(String),
+    /// The two keys of a hybrid signer, which only count together.
+    Pair(String, String),
     Authority(String),
     Crl(String),
 }
@@ -52,8 +54,9 @@ impl TrustStore {
         let folder = data.path().join("trust");
         let mut store = TrustStore::default();
         for path in pem_files(&folder)? {
-            let key = read_public(&path)?;
-            store.keys.insert(key.fingerprint().to_owned(), (key, read_entry(&path)?));
+            for key in read_public(&path)? {
+                store.keys.insert(key.fingerprint().to_owned(), (key, read_entry(&path)?));
+            }
         }
         for path in pem_files(&folder.join("ca"))? {
             let authority = Authority::from_pem(&read_text(&path, pem::MAX_BYTES)?, read_entry(&path)?)
@@ -65,7 +68,9 @@ impl TrustStore {
             store.crls.insert(sha256_hex(&der), der);
         }
         for path in named {
-            store.insert(read_public(path)?);
+            for (key, entry) in together(read_public(path)?, &Entry::default()) {
+                store.keys.entry(key.fingerprint().to_owned()).or_insert((key, entry));
+            }
         }
         Ok(store)
     }
@@ -141,6 +146,11 @@ impl TrustStore {
         let crls: Vec<Vec<u8>> = self.crls.values().cloned().collect();
         chain::check_time_stamping(&authorities, &crls, chain, at_ms)?;
         chain::check_signature(chain, message, sig, digest_bits)
+    }
+
+    /// The key without whose signature one by this key does not count.
+    pub fn partner_of(&self, fingerprint: &str) -> Option<&str> {
+        self.keys.get(fingerprint).and_then(|(_, entry)| entry.with.as_deref())
     }
 
     /// Nobody is trusted.
@@ -219,23 +229,45 @@ fn read_crl(path: &Path) -> Result<Vec<u8>> {
     Ok(der)
 }
 
-fn read_public(path: &Path) -> Result<PublicKey> {
-    PublicKey::from_pem(&read_text(path, pem::MAX_BYTES)?).map_err(|found| {
+/// One key, or the two of a hybrid signer.
+fn read_public(path: &Path) -> Result<Vec<PublicKey>> {
+    PublicKey::all_from_pem(&read_text(path, pem::MAX_BYTES)?).map_err(|found| {
         Error::policy(path.display().to_string())
-            .expected("an RSA public key in PEM form")
+            .expected("a public key in PEM form: RSA, ML-DSA-87, or one of each")
             .found(format!("ALG_REFUSED: {found}"))
             .advice("`openssl pkey -in KEY.pem -pubout` writes the public half of a key.")
     })
 }
 
-/// Trusts a public key from now on; false when it was known already.
-pub(super) fn add(data: &DataFolder, key: &PublicKey) -> Result<bool> {
-    let path = data.subfolder("trust")?.join(format!("{}.pem", key.fingerprint()));
-    // What is there under this name must be this key, or the store would not load.
-    if path.exists() {
-        return Ok(false);
+/// What is said of each key: of two, that they count together only.
+fn together(keys: Vec<PublicKey>, entry: &Entry) -> Vec<(PublicKey, Entry)> {
+    let [first, second] = &keys[..] else { return keys.into_iter().map(|key| (key, entry.clone())).collect() };
+    let with = |other: &PublicKey| Entry {
+        schema: SCHEMA.into(),
+        with: Some(other.fingerprint().to_owned()),
+        ..entry.clone()
+    };
+    vec![(first.clone(), with(second)), (second.clone(), with(first))]
+}
+
+/// Trusts a signer's public key from now on, or both of them; false when they were known already.
+pub(super) fn add(data: &DataFolder, key: &SigningKey) -> Result<bool> {
+    let folder = data.subfolder("trust")?;
+    let keys = key.all().map(|k| k.public().clone()).collect();
+    let mut added = false;
+    for (key, entry) in together(keys, &Entry::default()) {
+        let path = folder.join(format!("{}.pem", key.fingerprint()));
+        // What is there under this name must be this key, or the store would not load.
+        if path.exists() {
+            continue;
+        }
+        if entry != Entry::default() {
+            write_entry(&path, &entry)?;
+        }
+        write_whole(&path, key.to_pem().as_bytes())?;
+        added = true;
     }
-    write_whole(&path, key.to_pem().as_bytes()).map(|()| true)
+    Ok(added)
 }
 
 /// Takes a public key, an authority's certificate or a revocation list (PEM) into the user's trust store, with what is said
@@ -249,7 +281,7 @@ pub fn add_file(data: &DataFolder, file: &Path, entry: &Entry) -> Result<Added> 
     let text = read_text(file, MAX_CRL_BYTES)?;
     let refused = |found: String| {
         Error::policy(file.display().to_string())
-            .expected("an RSA public key, an authority's certificate or a revocation list, in PEM form")
+            .expected("a public key, an authority's certificate or a revocation list, in PEM form")
             .found(format!("ALG_REFUSED: {found}"))
             .advice(
                 "A signer's own certificate is not added: its authority's is, and the chain travels with the record.",
@@ -265,20 +297,32 @@ pub fn add_file(data: &DataFolder, file: &Path, entry: &Entry) -> Result<Added> 
         write_whole(&folder.join(format!("{sha256}.pem")), pem::encode(chain::CRL, &der).as_bytes())?;
         return Ok(Added::Crl(sha256));
     }
-    let (folder, name, clean) = if begins(chain::CERTIFICATE) {
+    let folder = data.subfolder("trust")?;
+    if begins(chain::CERTIFICATE) {
         let authority = Authority::from_pem(&text, entry.clone()).map_err(refused)?;
-        (data.subfolder("trust")?.join("ca"), authority.sha256(), pem::encode(chain::CERTIFICATE, &authority.der))
-    } else {
-        let key = PublicKey::from_pem(&text).map_err(refused)?;
-        (data.subfolder("trust")?, key.fingerprint().to_owned(), key.to_pem())
-    };
-    make_folder(&folder)?;
+        let clean = pem::encode(chain::CERTIFICATE, &authority.der);
+        write_with_words(&folder.join("ca"), &authority.sha256(), &clean, entry)?;
+        return Ok(Added::Authority(authority.sha256()));
+    }
+    let keys = together(PublicKey::all_from_pem(&text).map_err(refused)?, entry);
+    for (key, entry) in &keys {
+        write_with_words(&folder, key.fingerprint(), &key.to_pem(), entry)?;
+    }
+    let mut names = keys.into_iter().map(|(key, _)| key.fingerprint().to_owned());
+    let first = names.next().unwrap_or_default();
+    Ok(match names.next() {
+        None => Added::Key(first),
+        Some(second) => Added::Pair(first, second),
+    })
+}
+
+fn write_with_words(folder: &Path, name: &str, pem: &str, entry: &Entry) -> Result<()> {
+    make_folder(folder)?;
     let path = folder.join(format!("{name}.pem"));
     let revoked = if path.exists() { read_entry(&path)?.revoked } else { None };
     // The words first: there is no moment in which a key is trusted for more than was said.
     write_entry(&path, &Entry { revoked, ..entry.clone() })?;
-    write_whole(&path, clean.as_bytes())?;
-    Ok(if begins(chain::CERTIFICATE) { Added::Authority(name) } else { Added::Key(name) })
+    write_whole(&path, pem.as_bytes())
 }
 
 /// No longer trusts a key, from a time on.

@@ -16,7 +16,8 @@ use super::keys::PublicKey;
 use super::marking::Marking;
 use super::pem;
 use super::publication::{
-    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_PAE, RECORD_PROOF, RECORD_SIG, RECORD_STAMP, SEAL_FILES, STORE_PREFIX,
+    RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_KEY_2, RECORD_PAE, RECORD_PROOF, RECORD_SIG, RECORD_SIG_2, RECORD_STAMP,
+    SEAL_FILES, STORE_PREFIX,
 };
 use super::record;
 use super::record_check::{Policy, check_fields, check_policy, check_signatures, own_signer, read_statement};
@@ -71,9 +72,11 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
     if let Some(envelope) = read_envelope(request.folder, &mut found)? {
         let trust = &with_chain(request, &mut found)?;
         let signers = check_signatures(&envelope, trust, RECORD, &mut found);
-        check_seal_files(request.folder, &envelope, &mut found)?;
         let stamp = check_stamp(request, &mut found)?;
-        if let Some(statement) = read_statement(&envelope, RECORD, &mut found) {
+        let statement = read_statement(&envelope, RECORD, &mut found);
+        let is_pair = statement.as_ref().is_some_and(|s| s.predicate.actor.co_signers.is_some());
+        check_seal_files(request.folder, &envelope, is_pair, &mut found)?;
+        if let Some(statement) = statement {
             check_fields(&statement, trust, &signers, stamp, request.now_ms, &mut found);
             check_policy(&statement, request.policy, &mut found);
             check_proof(request, trust, &statement, &mut found)?;
@@ -84,7 +87,10 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
                 let p = &statement.predicate;
                 report.ledger_id = Some(p.chain.ledger_id.clone());
                 report.range = Some(Range { first: p.chain.seq, last: p.chain.seq });
-                report.signed_by = Some(signer.key.fingerprint().to_owned());
+                let own = signer.key.fingerprint();
+                let others = signers.iter().map(|s| s.key.fingerprint()).filter(|f| *f != own);
+                report.also_signed_by = others.map(str::to_owned).collect();
+                report.signed_by = Some(own.to_owned());
                 report.trail_hash.clone_from(&p.trail_hash);
                 report.time = Some(p.time.utc.clone());
                 report.marking = Some(p.marking.banner.clone());
@@ -202,15 +208,17 @@ fn check_stamp(request: &Request<'_>, found: &mut Vec<Finding>) -> Result<Option
 }
 
 /// The files for verification by hand must say the same as the record.
-fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>) -> Result<()> {
+fn check_seal_files(folder: &Path, envelope: &Envelope, is_pair: bool, found: &mut Vec<Finding>) -> Result<()> {
     let keyids: Vec<&str> = envelope.signatures.iter().map(|s| s.keyid.as_str()).collect();
     let same_key = |bytes: &[u8]| {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
         PublicKey::from_pem(text).is_ok_and(|key| key.to_pem() == text && keyids.contains(&key.fingerprint()))
     };
-    for name in [RECORD_PAE, RECORD_SIG, RECORD_KEY] {
+    let same_sig = |at: usize, bytes: &[u8]| envelope.signatures.get(at).is_some_and(|s| s.sig == bytes);
+    for name in [RECORD_PAE, RECORD_SIG, RECORD_KEY, RECORD_SIG_2, RECORD_KEY_2] {
         let path = folder.join(name);
         match fs::symlink_metadata(&path) {
+            Err(_) if !is_pair && [RECORD_SIG_2, RECORD_KEY_2].contains(&name) => continue,
             Err(_) => {
                 found.push(Finding::new("SEAL_FILE_MISSING", name));
                 continue;
@@ -219,13 +227,14 @@ fn check_seal_files(folder: &Path, envelope: &Envelope, found: &mut Vec<Finding>
             Ok(metadata) if !metadata.is_file() => continue,
             Ok(_) => {}
         }
-        let limit = if name == RECORD_KEY { pem::MAX_BYTES } else { MAX_ENVELOPE_BYTES as u64 };
+        let limit = if [RECORD_KEY, RECORD_KEY_2].contains(&name) { pem::MAX_BYTES } else { MAX_ENVELOPE_BYTES as u64 };
         let size = fs::metadata(&path).map_err(|e| Error::io(&path, &e))?.len();
         let same = size <= limit && {
             let bytes = disk::read_limited(&path, limit)?;
             match name {
                 RECORD_PAE => bytes == envelope.pae(),
-                RECORD_SIG => envelope.signatures.first().is_some_and(|s| s.sig == bytes),
+                RECORD_SIG => same_sig(0, &bytes),
+                RECORD_SIG_2 => same_sig(1, &bytes),
                 _ => same_key(&bytes),
             }
         };

@@ -260,7 +260,7 @@ fn key(data: &DataFolder) -> Finding {
     match SigningKey::load(&path, KeySource::UserData) {
         Ok(key) => {
             let public = key.public();
-            finding("signing key", State::Good, format!("RSA {} bits, {}", public.bits(), public.fingerprint()), "")
+            finding("signing key", State::Good, format!("{}, {}", public.kind(), public.fingerprint()), "")
         }
         Err(e) => finding("signing key", State::Problem, e.to_string(), ""),
     }

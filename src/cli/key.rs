@@ -21,9 +21,10 @@ pub struct KeyArgs {
     #[arg(long, value_name = "SOURCE", requires = "key")]
     pub key_passphrase: Option<PassphraseSource>,
 
-    /// How to sign: RS256, or RS384 (with 3072 bits or more) where CNSA 1.0 is asked for.
-    #[arg(long = "sign-algorithm", value_name = "NAME", value_enum, default_value_t, requires = "key")]
-    pub algorithm: Algorithm,
+    /// How to sign. An RSA key signs by RS256, or by RS384 (3072 bits or more) where CNSA 1.0 is asked for; an ML-DSA-87 key
+    /// only by ML-DSA-87. A file with both keys signs by RS384 and ML-DSA-87.
+    #[arg(long = "sign-algorithm", value_name = "NAME", value_enum, requires = "key")]
+    pub algorithm: Option<Algorithm>,
 
     /// Certificates of the signing key (PEM, the signer's own first, without the root): they travel with the record.
     #[arg(long, value_name = "FILE", requires = "key")]

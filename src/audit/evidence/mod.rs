@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::by_hand;
 use super::report::{Finding, Report, Severity, Verdict};
-use super::statement::{Input, Model, Statement};
+use super::statement::{Actor, Input, Model, Statement};
 use super::time::{self, SyncStatus};
 use crate::Result;
 
@@ -212,8 +212,8 @@ fn signers(records: &[Statement]) -> Section {
             let (a, c) = (&s.predicate.actor, &s.predicate.crypto);
             let fips = if c.fips_mode { "on" } else { "off" };
             vec![
-                a.key_fingerprint.clone(),
-                a.algorithm.clone(),
+                fingerprints(a),
+                algorithms(a),
                 a.key_source.clone(),
                 format!("{} {}", c.provider, c.provider_version),
                 fips.into(),
@@ -232,6 +232,17 @@ fn signers(records: &[Statement]) -> Section {
         ));
     }
     section
+}
+
+/// Of all who signed.
+fn fingerprints(actor: &Actor) -> String {
+    let others = actor.co_signers.iter().flatten().map(|other| other.key_fingerprint.as_str());
+    std::iter::once(actor.key_fingerprint.as_str()).chain(others).collect::<Vec<_>>().join(" ")
+}
+
+fn algorithms(actor: &Actor) -> String {
+    let others = actor.co_signers.iter().flatten().map(|other| other.algorithm.as_str());
+    std::iter::once(actor.algorithm.as_str()).chain(others).collect::<Vec<_>>().join(" and ")
 }
 
 fn clock(records: &[Statement]) -> Section {

@@ -5,14 +5,13 @@
 
 use crypto_bigint::modular::{BoxedMontyForm, BoxedMontyParams};
 use crypto_bigint::{BoxedUint, Odd};
+use pkcs8::der::Decode as _;
 use pkcs8::spki::SubjectPublicKeyInfoRef;
-use pkcs8::{ObjectIdentifier, der::Decode as _};
 use sha2::{Digest as _, Sha256, Sha384};
 
 use super::Algorithm;
+use super::public::RSA_ENCRYPTION;
 
-/// rsaEncryption, RFC 8017 appendix A.1.
-const RSA_ENCRYPTION: ObjectIdentifier = ObjectIdentifier::new_unwrap("1.2.840.113549.1.1.1");
 /// DER of DigestInfo up to the digest, RFC 8017 §9.2, note 1.
 const SHA256_INFO: [u8; 19] = *b"\x30\x31\x30\x0d\x06\x09\x60\x86\x48\x01\x65\x03\x04\x02\x01\x05\x00\x04\x20";
 const SHA384_INFO: [u8; 19] = *b"\x30\x41\x30\x0d\x06\x09\x60\x86\x48\x01\x65\x03\x04\x02\x02\x05\x00\x04\x30";
@@ -59,7 +58,7 @@ impl Second {
         let Some(s) = (sig.len() == length).then(|| integer(sig).ok()).flatten().filter(|s| s < modulus) else {
             return false;
         };
-        let encoded = encode(&digest_info(algorithm, message), length);
+        let encoded = digest_info(algorithm, message).and_then(|info| encode(&info, length));
         let recovered = self.power(&s).to_be_bytes_trimmed_vartime();
         // The encoded message begins with a zero, which an integer does not show.
         encoded.is_some_and(|encoded| encoded[1..] == *recovered)
@@ -85,11 +84,12 @@ fn integer(bytes: &[u8]) -> Result<BoxedUint, String> {
     BoxedUint::from_be_slice(bytes, bits).map_err(|e| e.to_string())
 }
 
-/// DigestInfo of a message, DER (RFC 8017 §9.2, steps 1 and 2).
-pub(super) fn digest_info(algorithm: Algorithm, message: &[u8]) -> Vec<u8> {
+/// DigestInfo of a message, DER (RFC 8017 §9.2, steps 1 and 2); `None` for what is not RSA.
+pub(super) fn digest_info(algorithm: Algorithm, message: &[u8]) -> Option<Vec<u8>> {
     match algorithm {
-        Algorithm::Rs256 => [&SHA256_INFO[..], &Sha256::digest(message)].concat(),
-        Algorithm::Rs384 => [&SHA384_INFO[..], &Sha384::digest(message)].concat(),
+        Algorithm::Rs256 => Some([&SHA256_INFO[..], &Sha256::digest(message)].concat()),
+        Algorithm::Rs384 => Some([&SHA384_INFO[..], &Sha384::digest(message)].concat()),
+        Algorithm::MlDsa87 => None,
     }
 }
 

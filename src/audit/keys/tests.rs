@@ -1,6 +1,12 @@
+use std::fs;
 use std::sync::OnceLock;
 
+use aws_lc_rs::encoding::Pkcs8V1Der;
+
+use super::file::{PRIVATE_LABEL, write_private};
 use super::*;
+use crate::Kind;
+use crate::audit::{DataFolder, Marking};
 
 /// One key for all tests: making one takes a third of a second.
 pub(crate) fn shared_key() -> &'static SigningKey {
@@ -23,7 +29,7 @@ fn write_key_of(bits: KeySize, path: &Path) {
 #[test]
 fn both_implementations_verify_what_was_signed() {
     let key = shared_key();
-    assert_eq!(key.public().bits(), 3072);
+    assert_eq!(key.public().rsa_bits(), Some(3072));
     let sig = key.sign(b"message").unwrap();
     assert_eq!(sig.len(), 384);
     assert_eq!(sig, key.sign(b"message").unwrap(), "deterministic");
@@ -42,13 +48,14 @@ fn both_implementations_verify_what_was_signed() {
 
 #[test]
 fn by_sha384_too() {
-    let key = SigningKey::from_pair(KeyPair::generate(KeySize::Rsa3072).unwrap(), KeySource::NamedFile)
+    let key = SigningKey::new(Holder::Rsa(KeyPair::generate(KeySize::Rsa3072).unwrap()), KeySource::NamedFile)
         .unwrap()
         .with_algorithm(Algorithm::Rs384)
         .unwrap();
     let sig = key.sign(b"message").unwrap();
     assert_eq!(key.public().verify(b"message", &sig), Ok(Some(Algorithm::Rs384)));
-    let short = SigningKey::from_pair(KeyPair::generate(KeySize::Rsa2048).unwrap(), KeySource::NamedFile).unwrap();
+    let short =
+        SigningKey::new(Holder::Rsa(KeyPair::generate(KeySize::Rsa2048).unwrap()), KeySource::NamedFile).unwrap();
     assert!(short.with_algorithm(Algorithm::Rs384).unwrap_err().found.contains("ALG_REFUSED"));
 }
 

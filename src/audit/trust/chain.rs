@@ -343,13 +343,15 @@ macro_rules! by_aws_lc {
     };
 }
 
-/// RSA and the two curves of public key infrastructures; nothing with SHA-1.
-static ALGORITHMS: [&dyn SignatureVerificationAlgorithm; 5] = [
+/// RSA, the two curves of public key infrastructures, and ML-DSA-87 where the build has it; nothing with SHA-1.
+static ALGORITHMS: [&dyn SignatureVerificationAlgorithm; if cfg!(feature = "fips") { 5 } else { 6 }] = [
     by_aws_lc!(RSA_ENCRYPTION, RSA_PKCS1_SHA256, RSA_PKCS1_2048_8192_SHA256),
     by_aws_lc!(RSA_ENCRYPTION, RSA_PKCS1_SHA384, RSA_PKCS1_2048_8192_SHA384),
     by_aws_lc!(RSA_ENCRYPTION, RSA_PKCS1_SHA512, RSA_PKCS1_2048_8192_SHA512),
     by_aws_lc!(ECDSA_P256, ECDSA_SHA256, ECDSA_P256_SHA256_ASN1),
     by_aws_lc!(ECDSA_P384, ECDSA_SHA384, ECDSA_P384_SHA384_ASN1),
+    #[cfg(not(feature = "fips"))]
+    by_aws_lc!(ML_DSA_87, ML_DSA_87, ML_DSA_87),
 ];
 /// The digest of each of them, bits.
 const DIGEST_BITS: [usize; 5] = [256, 384, 512, 256, 384];

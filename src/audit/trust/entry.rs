@@ -30,6 +30,9 @@ pub struct Entry {
     pub eku: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub revoked: Option<Revocation>,
+    /// Fingerprint of the key that has to sign too: of a hybrid signer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -105,6 +108,9 @@ impl Entry {
         }
         if self.schema != SCHEMA {
             return Err(Error::usage(subject).expected(SCHEMA).found(format!("schema {:?}", self.schema)));
+        }
+        if self.with.as_ref().is_some_and(|f| f.len() != 64 || !f.bytes().all(|b| b.is_ascii_hexdigit())) {
+            return Err(Error::usage(subject).expected("a key's fingerprint").found(format!("{:?}", self.with)));
         }
         self.max_marking.as_deref().map_or(Ok(()), |banner| Marking::parse(banner).map(drop))
     }

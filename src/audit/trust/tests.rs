@@ -8,8 +8,8 @@ fn own_and_named_keys() {
     let empty = TrustStore::load(&data, &[]).unwrap();
     assert!(empty.is_empty() && !data.path().exists());
 
-    add(&data, shared_key().public()).unwrap();
-    add(&data, shared_key().public()).unwrap();
+    add(&data, shared_key()).unwrap();
+    add(&data, shared_key()).unwrap();
     let store = TrustStore::load(&data, &[]).unwrap();
     assert_eq!(store.get(shared_key().public().fingerprint()), Some(shared_key().public()));
     assert_eq!(store.get(other_key().public().fingerprint()), None);
@@ -84,7 +84,7 @@ fn added_listed_and_revoked() {
     assert!(revoke(&data, fingerprint, revocation("2025-07-01T00:00:00.000Z")).is_err(), "not later than it was");
     // Adding a key again does not take its revocation back.
     add_file(&data, &file, &entry()).unwrap();
-    add(&data, other_key().public()).unwrap();
+    add(&data, other_key()).unwrap();
     assert_eq!(codes_of(&load().judge(fingerprint, signed(UTC, None), None)), ["KEY_REVOKED"]);
 
     assert!(load().expect(Some(&load().sha256())).is_ok() && load().expect(None).is_ok());

@@ -434,3 +434,48 @@ fn a_second_digest_where_the_algorithm_asks_for_it() {
     forge(&out, &key, |v| v["subject"][0]["digest"]["sha384"] = json!("54a5"));
     assert_eq!(codes(&with_store())[0], "SCHEMA_INVALID");
 }
+
+#[cfg(not(feature = "fips"))]
+#[test]
+fn signed_by_two_keys() {
+    use crate::audit::keys::suite_tests::pair;
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let mut publication = Publication::begin(&destination(&out)).unwrap();
+    fill(&mut publication).unwrap();
+    publication.seal(&draft(), pair(), &mut ledger(dir.path())).unwrap();
+    let data = crate::audit::DataFolder::at(dir.path().join("trusting"));
+    assert!(crate::audit::trust::add(&data, pair()).unwrap());
+    let trust = TrustStore::load(&data, &[]).unwrap();
+    let report = || verify(&request(&out, &trust)).unwrap();
+    assert_eq!((codes(&report()), report().exit_code), (vec![], 0), "{}", report().to_text());
+    let names: Vec<&str> = pair().all().map(|k| k.public().fingerprint()).collect();
+    assert_eq!((report().signed_by.as_deref(), report().also_signed_by), (Some(names[0]), vec![names[1].to_owned()]));
+    let (_, statement) = read_record(&out).unwrap();
+    assert!(statement.subject.iter().all(|s| s.digest.sha384.is_some()));
+    let by_hand = crate::audit::by_hand::openssl_commands(&out).unwrap();
+    for line in [
+        "openssl dgst -sha384 -verify orb-record.pub.pem -signature orb-record.sig orb-record.pae",
+        "openssl pkeyutl -verify -pubin -inkey orb-record.second.pub.pem -rawin -in orb-record.pae -sigfile orb-record.second.sig",
+    ] {
+        assert!(by_hand.contains(line), "{by_hand}");
+    }
+    for name in [RECORD_SIG_2, RECORD_KEY_2] {
+        let good = fs::read(out.join(name)).unwrap();
+        fs::write(out.join(name), b"other").unwrap();
+        assert_eq!(codes(&report()), ["SEAL_FILE_MISMATCH"]);
+        fs::remove_file(out.join(name)).unwrap();
+        assert_eq!(codes(&report()), ["SEAL_FILE_MISSING"]);
+        fs::write(out.join(name), good).unwrap();
+    }
+    // A proof that only one of them signed.
+    let proof = String::from_utf8(fs::read(out.join(RECORD_PROOF)).unwrap()).unwrap();
+    let mut checkpoint = Proof::parse(proof.as_bytes()).unwrap().envelope().unwrap();
+    let whole = String::from_utf8(checkpoint.to_line()).unwrap();
+    checkpoint.signatures.truncate(1);
+    let cut = String::from_utf8(checkpoint.to_line()).unwrap();
+    let spelled = |line: &str| serde_json::to_string(line.trim_end()).unwrap();
+    assert!(proof.contains(&spelled(&whole)));
+    fs::write(out.join(RECORD_PROOF), proof.replace(&spelled(&whole), &spelled(&cut))).unwrap();
+    assert_eq!(codes(&report()), ["SIGNATURE_MISSING"]);
+}

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
-use crate::audit::events::{self, Happened};
-use crate::audit::keys::{self, Bits, Passphrase};
+use crate::audit::events;
+use crate::audit::keys::{self, Algorithm, Bits, Passphrase, Suite};
 use crate::audit::report::Verdict;
 use crate::audit::sbom;
 use crate::audit::statement::RECORD_SCHEMA;
@@ -133,9 +133,13 @@ pub struct KeygenArgs {
     /// The private key's file; it must not exist
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// Length of the modulus.
+    /// What the key is for: RSA (default, cnsa1), ML-DSA-87 (cnsa2), or an RSA and an ML-DSA-87 key in one file, which sign
+    /// together (hybrid)
     #[arg(long, value_enum, default_value_t)]
-    pub bits: Bits,
+    pub profile: Suite,
+    /// Length of the RSA key's modulus [default: 3072]
+    #[arg(long, value_enum)]
+    pub bits: Option<Bits>,
     /// Encrypt the private key; where the passphrase is: file:PATH (its first line), env:NAME, or prompt
     #[arg(long, value_name = "SOURCE")]
     pub passphrase: Option<PassphraseSource>,
@@ -243,17 +247,26 @@ fn weights_list(path: &Path) -> Result<Vec<String>> {
 }
 
 pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
+    if args.bits.is_some() && !args.profile.has_rsa() {
+        return Err(Error::usage("--bits")
+            .expected("a profile with an RSA key")
+            .found("--profile cnsa2, whose key has one length"));
+    }
     let passphrase = args.passphrase.as_ref().map(Passphrase::read).transpose()?;
-    let key = keys::keygen(&args.output, args.bits, passphrase.as_ref().map(|p| p.as_str()))?;
-    let made = Happened::new("key.generate", "orb audit keygen");
-    events::log(data, &made.to("key_fingerprint", key.public().fingerprint()))?;
-    let text = format!(
-        "{}\n  RSA-{}, {}, SPKI SHA-256 {}\n  Keep the private key; give the .pub.pem beside it to whoever verifies.\n",
-        args.output.display(),
-        key.public().bits(),
-        key.algorithm().name(),
-        key.public().fingerprint()
-    );
+    let passphrase = passphrase.as_ref().map(|p| p.as_str());
+    let key = keys::keygen(&args.output, args.profile, args.bits.unwrap_or_default(), passphrase)?;
+    events::log(data, &events::about_key("key.generate", "orb audit keygen", &key))?;
+    let mut text = format!("{}\n", args.output.display());
+    for key in key.all() {
+        let (public, algorithm) = (key.public(), key.algorithm().name());
+        let kind = if public.kind() == algorithm { public.kind() } else { format!("{}, {algorithm}", public.kind()) };
+        text.push_str(&format!("  {kind}, SPKI SHA-256 {}\n", public.fingerprint()));
+    }
+    // A file of one RSA key does not say how it signs.
+    if key.partner().is_none() && key.algorithm() == Algorithm::Rs384 {
+        text.push_str("  Sign with --sign-algorithm RS384.\n");
+    }
+    text.push_str("  Keep the private key; give the .pub.pem beside it to whoever verifies.\n");
     Ok(Outcome { text, exit_code: 0 })
 }
 
@@ -314,6 +327,33 @@ mod tests {
         let again = orb_audit(&data, &["keygen", "-o", new.to_str().unwrap()]).unwrap_err();
         assert_eq!(again.kind, Kind::Usage);
     }
+
+    #[test]
+    fn a_key_for_each_profile() {
+        let dir = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(dir.path().join("elsewhere"));
+        let make = |profile: &str, more: &[&str]| {
+            let path = dir.path().join(format!("{profile}.pem"));
+            orb_audit(&data, &[&["keygen", "--profile", profile, "-o", path.to_str().unwrap()], more].concat())
+        };
+        let cnsa1 = make("cnsa1", &["--bits", "4096"]).unwrap().text;
+        assert!(cnsa1.contains("RSA-4096, RS384") && cnsa1.contains("--sign-algorithm RS384"), "{cnsa1}");
+        assert_eq!(make("cnsa2", &["--bits", "3072"]).unwrap_err().kind, Kind::Usage);
+        if cfg!(feature = "fips") {
+            assert!(make("cnsa2", &[]).unwrap_err().found.contains("FIPS module"));
+            return;
+        }
+        let cnsa2 = make("cnsa2", &[]).unwrap().text;
+        assert!(cnsa2.contains("  ML-DSA-87, SPKI SHA-256 ") && !cnsa2.contains("RSA"), "{cnsa2}");
+        let hybrid = make("hybrid", &[]).unwrap().text;
+        assert!(hybrid.contains("RSA-3072, RS384") && hybrid.contains("ML-DSA-87, SPKI"), "{hybrid}");
+        let public = dir.path().join("hybrid.pub.pem");
+        let added = orb_audit(&data, &["key", "trust", "add", public.to_str().unwrap(), "--name", "Jane"]).unwrap();
+        assert!(added.text.contains("two keys that count together only"), "{}", added.text);
+        let listed = orb_audit(&data, &["key", "trust", "list"]).unwrap().text;
+        assert!(listed.matches("only with").count() == 2 && listed.matches("Jane").count() == 2, "{listed}");
+    }
+
     #[test]
     fn trust_list_and_revoke() {
         let dir = tempfile::tempdir().unwrap();

@@ -99,17 +99,24 @@ fn add(args: &AddArgs, data: &DataFolder) -> Result<Outcome> {
         max_marking: max_marking.clone(),
         eku: eku.clone(),
         revoked: None,
+        with: None,
     };
     let added = trust::add_file(data, file, &entry)?;
-    let (name, digest) = match &added {
-        Added::Key(fingerprint) => ("key_fingerprint", fingerprint),
-        Added::Authority(sha256) => ("certificate_sha256", sha256),
-        Added::Crl(sha256) => ("crl_sha256", sha256),
+    let happened = Happened::new("key.trust", "orb audit key trust add");
+    let happened = match &added {
+        Added::Key(fingerprint) => happened.to("key_fingerprint", fingerprint),
+        Added::Pair(first, second) => happened.to("key_fingerprint", first).to("second_key_fingerprint", second),
+        Added::Authority(sha256) => happened.to("certificate_sha256", sha256),
+        Added::Crl(sha256) => happened.to("crl_sha256", sha256),
     };
-    events::log(data, &Happened::new("key.trust", "orb audit key trust add").to(name, digest))?;
+    events::log(data, &happened)?;
     let text = match added {
         Added::Key(fingerprint) => format!(
             "trusted: key, SPKI SHA-256 {fingerprint}\n  Compare it with what the signer told you by another way.\n"
+        ),
+        Added::Pair(first, second) => format!(
+            "trusted: two keys that count together only, SPKI SHA-256\n  {first}\n  {second}\n  \
+             Compare them with what the signer told you by another way.\n"
         ),
         Added::Authority(sha256) => format!(
             "trusted: authority, certificate SHA-256 {sha256}\n  Compare it with what the authority publishes.\n"
@@ -124,7 +131,7 @@ fn list(args: &ListArgs, data: &DataFolder) -> Result<Outcome> {
     if args.json {
         let keys = store
             .keys()
-            .map(|(key, entry)| json!({"fingerprint": key.fingerprint(), "bits": key.bits(), "entry": entry}));
+            .map(|(key, entry)| json!({"fingerprint": key.fingerprint(), "kind": key.kind(), "entry": entry}));
         let authorities =
             store.authorities().map(|a| json!({"sha256": a.sha256(), "subject": a.subject, "entry": a.entry}));
         let value = json!({
@@ -138,7 +145,7 @@ fn list(args: &ListArgs, data: &DataFolder) -> Result<Outcome> {
     }
     let mut text = format!("trust store {}\n", store.sha256());
     for (key, entry) in store.keys() {
-        text.push_str(&format!("key {}  RSA-{}\n{}", key.fingerprint(), key.bits(), said(entry)));
+        text.push_str(&format!("key {}  {}\n{}", key.fingerprint(), key.kind(), said(entry)));
     }
     for authority in store.authorities() {
         text.push_str(&format!("authority {}  {}\n{}", authority.sha256(), authority.subject, said(&authority.entry)));
@@ -157,6 +164,7 @@ fn said(entry: &Entry) -> String {
         ("not after", entry.not_after.clone()),
         ("up to", entry.max_marking.clone()),
         ("usage", entry.eku.clone()),
+        ("only with", entry.with.clone()),
         ("REVOKED", revoked),
     ];
     parts.into_iter().filter_map(|(name, value)| Some(format!("    {name:<11}{}\n", value?))).collect()
