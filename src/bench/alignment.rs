@@ -17,15 +17,17 @@ pub fn rotation_angle(a: Mat3, b: Mat3) -> f64 {
 }
 
 /// A picture in CLIP's space (Radford et al. 2021), by an image encoder with the input 1 × 3 × 224 × 224, normalised as
-/// CLIP's, and the output `image_embeds`, or one output: unit length.
+/// CLIP's, and the output `image_embeds`, or one output: unit length. The network sees the middle square.
 ///
 /// # Errors
 /// As the graph; environment where it answers something else.
 pub fn clip_embedding(image: &RgbImage, graph: &dyn Graph) -> Result<Vec<f64>> {
     const SIDE: usize = 224;
     const CLIP: Normalise = picture::CLIP;
-    let whole = Rect { x: 0.0, y: 0.0, width: image.width() as f32, height: image.height() as f32 };
-    let pixels = sample_colour(image, whole, SIDE, SIDE, Edge::Clamp);
+    let (w, h) = (image.width() as f32, image.height() as f32);
+    let side = w.min(h);
+    let middle = Rect { x: (w - side) / 2.0, y: (h - side) / 2.0, width: side, height: side };
+    let pixels = sample_colour(image, middle, SIDE, SIDE, Edge::Clamp);
     let input: Tensor = picture::planes(&pixels, [SIDE; 2], [SIDE; 2], CLIP)?;
     let name = graph.inputs().first().map_or("pixel_values".to_owned(), |p| p.name.clone());
     let out = graph.run(&[(name.as_str(), &input)])?;

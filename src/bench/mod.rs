@@ -17,6 +17,7 @@ pub mod submission;
 pub mod surfaces;
 pub mod temporal;
 pub mod truth;
+pub mod unit;
 
 #[cfg(test)]
 mod tests;

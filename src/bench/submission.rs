@@ -133,6 +133,9 @@ pub fn read(path: &Path) -> Result<Submission> {
         Axes::YUp => SplatAxes::YUp,
         Axes::YDown => SplatAxes::YDown,
     });
+    // What lies in the scene's own frame lies as it is.
+    let in_scene = said.frame.is_none_or(|f| f == Frame::Scene);
+    let axes = axes.or(in_scene.then_some(SplatAxes::ZUp));
     let mut out = Submission {
         frame: Frame::Scene,
         splats: None,

@@ -10,7 +10,7 @@ use super::evaluate::{Evaluation, Tools, evaluate};
 use super::scene::{self, Scene};
 use super::submission::{self, Frame, Submission};
 use super::surfaces::{Shape, scores, tests::block};
-use super::{Picture, make, perception};
+use super::{Picture, alignment, make, perception};
 use crate::audit::Marking;
 use crate::mesh::Surface;
 use crate::models::{Engine, Rten};
@@ -57,6 +57,24 @@ fn lpips_is_what_onnx_runtime_says() {
     let score = perception::lpips(&found, &truth, &*graph).unwrap();
     assert!((score - expected).abs() < 1e-3, "{score}, expected {expected}");
     assert!(perception::lpips(&truth, &truth, &*graph).unwrap().abs() < 1e-6);
+}
+
+/// A network of CLIP's ports with random weights, prepared pictures and all (`make_clip.py`).
+#[test]
+fn clip_sees_what_its_own_processor_shows_it() {
+    let said = &said()["clip"];
+    let graph = Rten.load(&std::fs::read(data("clip.onnx")).unwrap()).unwrap();
+    let [a, b] = ["reference.png", "distorted.png"].map(|f| image::open(data(f)).unwrap().into_rgb8());
+    let mut wide = image::RgbImage::from_pixel(400, 192, image::Rgb([200, 30, 30]));
+    image::imageops::replace(&mut wide, &b, 104, 0);
+    let [a, b, wide] = [&a, &b, &wide].map(|p| alignment::clip_embedding(p, &*graph).unwrap());
+    for (k, expected) in said["embedding"].as_array().unwrap().iter().enumerate() {
+        assert!((a[k] - expected.as_f64().unwrap()).abs() < 3e-3, "{a:?}, expected {said}");
+    }
+    for (other, name) in [(&b, "cosine"), (&wide, "cosine_wide")] {
+        let (found, expected) = (alignment::cosine(&a, other), said[name].as_f64().unwrap());
+        assert!((found - expected).abs() < 2e-3, "{name}: {found}, expected {expected}");
+    }
 }
 
 /// Samples there are even over the surface, here they are what cameras around see: within a twentieth.
