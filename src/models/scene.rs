@@ -1,31 +1,25 @@
 //! The subject's mask and depth, from the network for scenes.
 //!
-//! The network sees squares of 256² and, where one is known, a point on the subject. Which fits it likes best was tried
-//! on ten ray-traced photos and their widened and upright forms: a mirrored square of the same area, turned left to
-//! right, and the whole picture squashed with a margin of mirrored surroundings. Each is best where the other is weak;
-//! the larger of both masks is the steadiest. The picture squashed without a margin cut roofs and legs off; it gives the
-//! depth alone. Padding with the edge's colour or grey, and centre squares, lost 5 to 40 points of IoU on some of them.
-//! A second look at the square around the subject helps only with room around it: 2.2 times the subject; tighter
-//! squares lost parts. It is shown the point that lies deepest in the first look's mask, so that what stands beside the
+//! The network looks at the whole photo ([`looks`]), then at the square around what it found, with room around it: 2.2
+//! times the subject; tighter squares lost parts. The second look is shown the point that lies deepest in the first look's mask, so that what stands beside the
 //! subject stays out, and averaged with the first. Then colours and edges of the photo at working resolution move the
 //! mask's edge where the network doubts, [`colour_model`] and [`guided_filter`], but never what it is sure of.
 
 use super::colour_model;
 use super::guided::guided_filter;
 use super::region::{Bounds, bounds, deepest, fill_holes, grown, keep_central};
-use super::{Graph, Port, Tensor, check_contract, take};
+use super::{Graph, Port, check_contract};
 use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
 use crate::{Error, Result};
 use image::{GrayImage, RgbImage};
+
+mod looks;
+use looks::Canvas;
 
 /// Of the network's square input and outputs.
 const SIZE: usize = 256;
 /// The longer side of the planes handed on, pixels.
 const WORKING_SIDE: u32 = 1536;
-/// The side of the second look, in longest sides of the subject's box.
-const ROOM: f32 = 2.2;
-/// The side of the widened look, in sides of what is looked at.
-const MARGIN: f32 = 1.35;
 /// How far colour may move the mask's edge, in longest sides of the subject's box.
 const REACH: f32 = 0.04;
 /// How deep inside its edge the network's confident mask is beyond doubt, in longest sides of the subject's box.
@@ -140,12 +134,33 @@ pub fn subject(
         }
         None => {
             let rough = check(&mask, point.is_none())?;
-            mask = canvas.correct(&guide, mask, rough, focus)?;
+            mask = correct(&guide, mask, rough, focus)?;
         }
     }
     normalise(&mut depth);
     let bounds = check(&mask, point.is_none())?;
     Ok(Subject { mask, depth, bounds, scale: (pw as f32 / w as f32, ph as f32 / h as f32), from_cutout, elevation })
+}
+
+/// The rough mask's edge moved to the photo's edges, where the network doubts.
+fn correct(guide: &[[f32; 3]], mut mask: Plane, rough: Bounds, focus: [f32; 2]) -> Result<Plane> {
+    let (w, h) = (mask.width, mask.height);
+    let size = (rough[2] - rough[0]).max(rough[3] - rough[1]);
+    let near = grown(rough, size / 4, w, h);
+    let colours = colour_model::evidence(guide, &mask, near);
+    if colours.divergence < INDISTINCT {
+        return Err(no_subject("what is at the centre looks like what surrounds it"));
+    }
+    let pixels = |share: f32| ((share * size as f32) as usize).max(2);
+    let core = colour_model::refine(&colours.log_odds, &mut mask, near, pixels(REACH), pixels(CORE));
+    let area = mask.data.iter().filter(|v| **v > 0.5).count();
+    fill_holes(&mut mask, area / 300);
+    // Two pixels of what the network saw.
+    let radius = (2 * w.max(h) / SIZE).max(2);
+    let mut mask = guided_filter(guide, &mask, radius, 1e-4);
+    mask.data.iter_mut().zip(&core).for_each(|(v, sure)| *v = if *sure { 1.0 } else { sharpen(*v) });
+    keep_central(&mut mask, 0.35, radius, focus);
+    Ok(mask)
 }
 
 /// Of guesses by one network.
@@ -214,182 +229,12 @@ fn normalise(depth: &mut Plane) {
     depth.data.iter_mut().for_each(|v| *v = (*v - low) * scale);
 }
 
-/// How the network is shown a point, in pixels of its picture: 1 there, falling off within a twentieth of the side.
-fn mark([px, py]: [f32; 2], x: usize, y: usize) -> f32 {
-    let away = (x as f32 + 0.5 - px).hypot(y as f32 + 0.5 - py);
-    (-20.0 * away / SIZE as f32).exp()
-}
-
-/// About the same centre.
-fn scaled(r: Rect, across: f32, down: f32) -> Rect {
-    let (width, height) = (r.width * across, r.height * down);
-    Rect { x: r.x + (r.width - width) / 2.0, y: r.y + (r.height - height) / 2.0, width, height }
-}
-
-/// Planes of the working size.
-struct Look {
-    mask: Plane,
-    depth: Plane,
-    elevation: Elevation,
-}
-
-/// What one run of the network answers, [`SIZE`]² pixels.
-struct Answer {
-    mask: Plane,
-    depth: Plane,
-    elevation: Elevation,
-}
-
-/// The photo and the working grid laid over it.
-struct Canvas<'a> {
-    photo: &'a RgbImage,
-    /// The photo at the working size.
-    working: &'a RgbImage,
-    whole: Rect,
-    width: usize,
-    height: usize,
-}
-
-impl Canvas<'_> {
-    /// The rough mask's edge moved to the photo's edges, where the network doubts.
-    fn correct(&self, guide: &[[f32; 3]], mut mask: Plane, rough: Bounds, focus: [f32; 2]) -> Result<Plane> {
-        let (w, h) = (self.width, self.height);
-        let size = (rough[2] - rough[0]).max(rough[3] - rough[1]);
-        let near = grown(rough, size / 4, w, h);
-        let colours = colour_model::evidence(guide, &mask, near);
-        if colours.divergence < INDISTINCT {
-            return Err(no_subject("what is at the centre looks like what surrounds it"));
-        }
-        let pixels = |share: f32| ((share * size as f32) as usize).max(2);
-        let core = colour_model::refine(&colours.log_odds, &mut mask, near, pixels(REACH), pixels(CORE));
-        let area = mask.data.iter().filter(|v| **v > 0.5).count();
-        fill_holes(&mut mask, area / 300);
-        // Two pixels of what the network saw.
-        let radius = (2 * w.max(h) / SIZE).max(2);
-        let mut mask = guided_filter(guide, &mask, radius, 1e-4);
-        mask.data.iter_mut().zip(&core).for_each(|(v, sure)| *v = if *sure { 1.0 } else { sharpen(*v) });
-        keep_central(&mut mask, 0.35, radius, focus);
-        Ok(mask)
-    }
-
-    /// All fits of a part of the photo, with a point on the subject if one is known; outside it the mask is 0 and the
-    /// depth means nothing.
-    fn look(&self, part: Rect, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Look> {
-        let squashed = self.run(part, false, point, graph)?;
-        let side = (part.width * part.height).sqrt();
-        let square = scaled(part, side / part.width, side / part.height);
-        let wide = scaled(part, MARGIN, MARGIN);
-        let (mirrored, margin) = (self.run(square, true, point, graph)?, self.run(wide, false, point, graph)?);
-        let mut mask = self.unfold(&mirrored.mask, square, Edge::Zero);
-        let other = self.unfold(&margin.mask, wide, Edge::Zero);
-        mask.data.iter_mut().zip(&other.data).for_each(|(a, b)| *a = a.max(*b).clamp(0.0, 1.0));
-        let elevation = mean(&[squashed.elevation, mirrored.elevation, margin.elevation]);
-        Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation })
-    }
-
-    /// One run: mask and inverse depth as the network gives them, turned back if mirrored.
-    fn run(&self, rect: Rect, mirror: bool, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Answer> {
-        let side = SIZE as f32;
-        let prompt = point.map(|[x, y]| [(x - rect.x) / rect.width * side, (y - rect.y) / rect.height * side]);
-        // A large part is as good from the working copy, at a fraction of the time.
-        let (sx, sy) = (self.width as f32 / self.whole.width, self.height as f32 / self.whole.height);
-        let small = Rect { x: rect.x * sx, y: rect.y * sy, width: rect.width * sx, height: rect.height * sy };
-        let enough = small.width.min(small.height) >= 2.0 * SIZE as f32;
-        let (source, rect) = if enough { (self.working, small) } else { (self.photo, rect) };
-        let pixels = sample_colour(source, rect, SIZE, SIZE, Edge::Mirror);
-        let column = |x: usize| if mirror { SIZE - 1 - x } else { x };
-        let mut data: Vec<f32> = (0..3)
-            .flat_map(|c| (0..SIZE * SIZE).map(move |i| (c, i)))
-            .map(|(c, i)| pixels[i / SIZE * SIZE + column(i % SIZE)][c])
-            .collect();
-        data.extend((0..SIZE * SIZE).map(|i| prompt.map_or(0.0, |p| mark(p, column(i % SIZE), i / SIZE))));
-        let image = Tensor::new(&[1, 4, SIZE, SIZE], data)?;
-        let mut outputs = graph.run(&[("image", &image)])?;
-        let elevation = take(&mut outputs, "elevation", 2)?;
-        let elevation = Elevation { mean: elevation[0], spread: elevation[1] };
-        let mut plane = |name| -> Result<Plane> {
-            let raw = take(&mut outputs, name, SIZE * SIZE)?;
-            let data = (0..SIZE * SIZE).map(|i| raw[i / SIZE * SIZE + column(i % SIZE)]).collect();
-            Ok(Plane { width: SIZE, height: SIZE, data })
-        };
-        Ok(Answer { mask: plane("mask")?, depth: plane("inverse_depth")?, elevation })
-    }
-
-    /// A plane over `rect` of the photo → the working grid.
-    fn unfold(&self, plane: &Plane, rect: Rect, edge: Edge) -> Plane {
-        let (sx, sy) = (plane.width as f32 / rect.width, plane.height as f32 / rect.height);
-        let source = Rect {
-            x: (self.whole.x - rect.x) * sx,
-            y: (self.whole.y - rect.y) * sy,
-            width: self.whole.width * sx,
-            height: self.whole.height * sy,
-        };
-        // Where the part is the whole photo the border goes on, else a mask ends with its part.
-        let edge = if self.inside(rect) { Edge::Clamp } else { edge };
-        sample_plane(plane, source, self.width, self.height, edge)
-    }
-
-    /// The whole photo lies in `rect`.
-    fn inside(&self, rect: Rect) -> bool {
-        rect.x <= 0.0
-            && rect.y <= 0.0
-            && rect.x + rect.width >= self.whole.width
-            && rect.y + rect.height >= self.whole.height
-    }
-
-    /// The part of the photo around a box of the working grid; none where that is nearly the whole photo.
-    fn around(&self, b: Bounds) -> Option<Rect> {
-        let (sx, sy) = (self.whole.width / self.width as f32, self.whole.height / self.height as f32);
-        let (x0, y0, x1, y1) = (b[0] as f32 * sx, b[1] as f32 * sy, b[2] as f32 * sx, b[3] as f32 * sy);
-        let half = ROOM / 2.0 * (x1 - x0).max(y1 - y0);
-        let (cx, cy) = ((x0 + x1) / 2.0, (y0 + y1) / 2.0);
-        let (left, right) = ((cx - half).max(0.0), (cx + half).min(self.whole.width));
-        let (top, bottom) = ((cy - half).max(0.0), (cy + half).min(self.whole.height));
-        let part = Rect { x: left, y: top, width: right - left, height: bottom - top };
-        (part.width * part.height < 0.9 * self.whole.width * self.whole.height).then_some(part)
-    }
-
-    /// Inside `rect` the closer look replaces the first, brought to its scale by least squares; a ramp hides the seam.
-    fn refine_depth(&self, depth: &mut Plane, closer: &Plane, rect: Rect) {
-        let (sx, sy) = (self.width as f32 / self.whole.width, self.height as f32 / self.whole.height);
-        let (x0, x1) = (rect.x * sx, (rect.x + rect.width) * sx);
-        let (y0, y1) = (rect.y * sy, (rect.y + rect.height) * sy);
-        let ramp = 0.1 * (x1 - x0).min(y1 - y0);
-        // Where the part ends with the photo there is no seam.
-        let reach = |p: f32, low: f32, high: f32, size: f32| {
-            let from = if low <= 0.5 { 1.0 } else { (p - low) / ramp };
-            let to = if high >= size - 0.5 { 1.0 } else { (high - p) / ramp };
-            from.min(to).clamp(0.0, 1.0)
-        };
-        let weight = |i: usize| {
-            let (x, y) = ((i % self.width) as f32 + 0.5, (i / self.width) as f32 + 0.5);
-            reach(x, x0, x1, self.width as f32) * reach(y, y0, y1, self.height as f32)
-        };
-        let mut s = [0.0f64; 5];
-        for (i, (&a, &b)) in depth.data.iter().zip(&closer.data).enumerate() {
-            let w = f64::from(weight(i));
-            let (a, b) = (f64::from(a), f64::from(b));
-            [w, w * a, w * b, w * a * b, w * b * b].iter().zip(&mut s).for_each(|(v, s)| *s += v);
-        }
-        let variance = s[4] - s[2] * s[2] / s[0];
-        let gain = if s[0] > 0.0 && variance > 0.0 { (s[3] - s[1] * s[2] / s[0]) / variance } else { 0.0 };
-        if gain <= 0.0 {
-            return; // The two looks contradict each other: keep the one that saw everything.
-        }
-        let shift = (s[1] - gain * s[2]) / s[0];
-        for (i, (a, &b)) in depth.data.iter_mut().zip(&closer.data).enumerate() {
-            let w = weight(i);
-            *a += w * ((gain * f64::from(b) + shift) as f32 - *a);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Kind;
-    use crate::models::Engine;
     use crate::models::prior::SCENE;
+    use crate::models::{Engine, Tensor};
 
     fn graph() -> Box<dyn Graph> {
         crate::models::Rten.load(SCENE.verified().unwrap()).unwrap()
