@@ -1,6 +1,8 @@
-//! The stages in order: photo → subject → Gaussians → six views → optimisation → mesh → place → files.
+//! The stages in order: photo (or [`several`]) → subject → Gaussians → six views → optimisation → mesh → place → files.
 //!
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
+
+pub mod several;
 
 use std::time::{Duration, Instant};
 
@@ -9,6 +11,7 @@ use crate::models::scene::{self, Subject};
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
 use crate::photo::Photo;
+use crate::photos::crops::Crop;
 use crate::progress::Progress;
 use crate::sources::{self, Sources};
 use crate::splat::render::Shown;
@@ -82,6 +85,8 @@ pub struct Reconstruction {
     pub timings: Vec<Timing>,
     /// What took the built-in networks' place.
     pub sources: sources::Outcome,
+    /// Where there was more than one photo.
+    pub several: Option<several::Several>,
 }
 
 /// What stages 2 to 4 make of one photo, in the unit frame.
@@ -97,6 +102,10 @@ pub struct Fitted {
     /// One a target: the photo's, then the mirrored photo's where there is one.
     cameras: Vec<Camera>,
     mirrored: Option<MirroredPhoto>,
+    /// Of several photos those that colour comes from, and their cameras.
+    painting: Vec<(Camera, Crop)>,
+    /// Where there was more than one photo.
+    pub several: Option<several::Several>,
     clock: Clock,
 }
 
@@ -119,28 +128,27 @@ pub fn reconstruct(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Reconstruction> {
-    let fitted = fit(photo, engine, sources, fitter, settings, progress)?;
-    let Fitted { gaussians, prior, mirrored, cameras, mut clock, .. } = fitted;
-    let mut photos =
-        vec![mesh::PhotoView { mirrored: false, camera: cameras[0], color: &prior.colour, mask: &prior.mask.data }];
+    finish(fit(photo, engine, sources, fitter, settings, progress)?, settings, progress)
+}
+
+/// Stage 5: the mesh.
+///
+/// # Errors
+/// As [`reconstruct`].
+pub fn finish(fitted: Fitted, settings: &Settings, progress: &dyn Progress) -> Result<Reconstruction> {
+    let Fitted { gaussians, prior, mirrored, cameras, mut clock, painting, .. } = fitted;
+    let view = |camera, color, mask| mesh::PhotoView { mirrored: false, camera, color, mask };
+    let mut photos: Vec<mesh::PhotoView> = match painting.is_empty() {
+        true => vec![view(cameras[0], &prior.colour, &prior.mask.data)],
+        false => painting.iter().map(|(camera, crop)| view(*camera, &crop.colour, &crop.mask.data)).collect(),
+    };
     photos.extend(mirrored.as_ref().map(|m| mesh::PhotoView {
         mirrored: true,
         camera: cameras[1],
         color: &m.color,
         mask: &m.mask,
     }));
-    let render = |camera: &Camera| {
-        let frame = splat::render(&gaussians, camera, GREY);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
-    let options = mesh::Options {
-        levels: settings.levels,
-        normal_map: settings.normal_map,
-        occlusion: settings.occlusion,
-        background: GREY,
-        ..mesh::Options::sized(settings.triangles, settings.texture)
-    };
-    let model = mesh::build(&render, &photos, &options, progress)?;
+    let model = meshed(&gaussians, &photos, settings, progress)?;
     clock.lap("mesh and texture");
     Ok(Reconstruction {
         subject: fitted.subject,
@@ -152,7 +160,29 @@ pub fn reconstruct(
         timings: clock.timings,
         prior,
         sources: fitted.sources,
+        several: fitted.several,
     })
+}
+
+/// The textured model.
+fn meshed(
+    gaussians: &Gaussians,
+    photos: &[mesh::PhotoView],
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Model> {
+    let render = |camera: &Camera| {
+        let frame = splat::render(gaussians, camera, GREY);
+        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    };
+    let options = mesh::Options {
+        levels: settings.levels,
+        normal_map: settings.normal_map,
+        occlusion: settings.occlusion,
+        background: GREY,
+        ..mesh::Options::sized(settings.triangles, settings.texture)
+    };
+    mesh::build(&render, photos, &options, progress)
 }
 
 /// Stages 2 to 4: Gaussians, no mesh.
@@ -240,6 +270,8 @@ pub fn fit(
         cameras: trained.cameras,
         mirrored,
         prior: one_view,
+        painting: Vec::new(),
+        several: None,
         clock,
     })
 }
@@ -299,6 +331,17 @@ fn optimise(
         ..view(format!("{NORMALS} {}", i + 1), v, 0.1)
     }));
     targets.extend(views.between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
+    trained(fitter, &prior.gaussians, &targets, settings, progress)
+}
+
+/// The optimisation, in as many steps as the settings and the time allow.
+fn trained(
+    fitter: splat::Engine,
+    start: &Gaussians,
+    targets: &[Target],
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<splat::Trained> {
     progress.begin("optimisation", 0);
     let wanted = settings.iterations as usize;
     let iterations = match (&settings.kept.from, settings.optimise_within) {
@@ -306,13 +349,13 @@ fn optimise(
         (Some(saved), _) => saved.iterations,
         (None, Some(limit)) => {
             let seconds = limit.as_secs_f64();
-            wanted.min(splat::train::iterations_within(fitter, &prior.gaussians, &targets, seconds, progress)?)
+            wanted.min(splat::train::iterations_within(fitter, start, targets, seconds, progress)?)
         }
         (None, None) => wanted,
     };
     let options =
         splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
-    splat::train::train_kept(fitter, prior.gaussians.clone(), &targets, &options, &settings.kept, progress)
+    splat::train::train_kept(fitter, start.clone(), targets, &options, &settings.kept, progress)
 }
 
 /// About 3% of the pixels in 4 × 4 blocks, from the seed: never trained on, so that they can be measured.

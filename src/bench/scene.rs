@@ -6,14 +6,13 @@
 
 use std::path::{Path, PathBuf};
 
-use glam::{Mat3, Mat4, Vec3};
 use image::RgbaImage;
 use serde::Deserialize;
 use serde_json::Value;
 
 use super::truth;
 use crate::mesh::Surface;
-use crate::photos::colmap;
+use crate::photos::{colmap, transforms};
 use crate::splat::{Camera, cameras};
 use crate::{Error, Result};
 
@@ -186,59 +185,18 @@ fn own(base: Scene, path: &Path) -> Result<Scene> {
     Ok(scene)
 }
 
-#[derive(Deserialize)]
-struct Transforms {
-    camera_angle_x: f64,
-    frames: Vec<Frame>,
-}
-
-#[derive(Deserialize)]
-struct Frame {
-    file_path: String,
-    /// Camera→world, rows; x right, y up, z backwards.
-    transform_matrix: [[f64; 4]; 4],
-}
-
 /// The views of one of NeRF's lists.
 ///
 /// # Errors
-/// Usage, naming the file, for a list that cannot be read or has a camera that is none.
+/// As [`transforms::read`].
 pub fn transforms(list: &Path) -> Result<Vec<View>> {
-    let wrong = |found: String| {
-        Error::usage(list.display().to_string()).expected("camera_angle_x and frames as NeRF writes them").found(found)
+    let view = |l: transforms::Listed| View {
+        camera: l.camera.posed(l.rotation, l.translation),
+        name: l.name,
+        file: l.file,
+        lens: Some(l.camera),
     };
-    let bytes = std::fs::read(list).map_err(|e| Error::io(list, &e))?;
-    let read: Transforms = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
-    let folder = list.parent().unwrap_or(Path::new("."));
-    let view = |f: &Frame| {
-        let mut file = folder.join(&f.file_path);
-        if file.extension().is_none() {
-            file.set_extension("png");
-        }
-        let (width, height) = image::image_dimensions(&file)
-            .map_err(|e| Error::usage(file.display().to_string()).expected("a picture").found(e.to_string()))?;
-        let focal = (f64::from(width) / 2.0 / (read.camera_angle_x / 2.0).tan()) as f32;
-        let m = Mat4::from_cols_array_2d(&f.transform_matrix.map(|r| r.map(|v| v as f32))).transpose();
-        let turn = Mat3::from_mat4(m) * Mat3::from_diagonal(Vec3::new(1.0, -1.0, -1.0));
-        let unit = (turn * turn.transpose() - Mat3::IDENTITY).to_cols_array().iter().all(|v| v.abs() < 1e-3);
-        if !(unit && m.is_finite() && focal.is_finite() && focal > 0.0) {
-            return Err(wrong(format!("another camera at {}", f.file_path)));
-        }
-        let rotation = turn.transpose();
-        let camera = Camera {
-            width,
-            height,
-            fx: focal,
-            fy: focal,
-            cx: width as f32 / 2.0,
-            cy: height as f32 / 2.0,
-            rotation,
-            translation: -(rotation * m.w_axis.truncate()),
-        };
-        Ok(View { name: f.file_path.clone(), camera, file, lens: None })
-    };
-    let views: Vec<View> = read.frames.iter().map(view).collect::<Result<_>>()?;
-    if views.is_empty() { Err(wrong("no frames".into())) } else { Ok(views) }
+    Ok(transforms::read(list)?.into_iter().map(view).collect())
 }
 
 fn colmap_views(model: &Path, pictures: &Path) -> Result<Vec<View>> {
@@ -254,6 +212,7 @@ fn colmap_views(model: &Path, pictures: &Path) -> Result<Vec<View>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     #[test]
     fn the_samples_of_this_repository_are_scenes() {

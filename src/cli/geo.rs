@@ -19,8 +19,8 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, Format, WriteArgs, safe_stem};
-use super::marking;
 use super::networks::{self, NetworkArgs};
+use super::photos::{Front, PhotosArgs};
 use super::sealed::{Evidence, PublishArgs, SealedRun};
 use super::summary::{self, Summary};
 use crate::audit::statement::{Model, Param};
@@ -28,10 +28,9 @@ use crate::audit::{DataFolder, record, time};
 use crate::export::{self, Catalogue, Labels};
 use crate::geo::magnetic;
 use crate::models::{Engine, Rten, prior};
-use crate::photo;
 use crate::pipeline::{self, Reconstruction, Settings};
 use crate::progress::Progress;
-use crate::sources::Outcome;
+use crate::sources::{Outcome, Sources};
 use crate::{Error, Result, splat, symmetry};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -69,7 +68,7 @@ pub struct GeoArgs {
     #[command(subcommand)]
     pub tool: Option<tools::Tool>,
 
-    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
+    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
     #[arg(required_unless_present = "manifest")]
     pub photo: Option<PathBuf>,
 
@@ -82,6 +81,9 @@ pub struct GeoArgs {
 
     #[command(flatten)]
     pub size: options::SizeArgs,
+
+    #[command(flatten)]
+    pub photos: PhotosArgs,
 
     /// Name of the model, in place of the photo's.
     #[arg(skip)]
@@ -202,9 +204,24 @@ struct Plan {
 fn plan(args: &GeoArgs) -> Result<Plan> {
     let photo = args.photo.clone().ok_or_else(|| Error::usage("photo").expected("a file").found("none"))?;
     let catalogue = args.write.catalogue()?;
-    let stem = args.stem.clone().unwrap_or_else(|| safe_stem(&photo));
-    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
+    let stem = args.stem.clone().unwrap_or_else(|| stem_of(&photo));
+    let output = args.output.clone().unwrap_or_else(|| default_output(&photo, &stem));
     Ok(Plan { wanted: options::wanted(&args.place, &args.size)?, catalogue, photo, stem, output })
+}
+
+/// Of a photo its name; of a folder its own, or of the folder that `images` lies in.
+pub(super) fn stem_of(path: &Path) -> String {
+    let whole = if path.is_dir() { path.canonicalize().unwrap_or_else(|_| path.to_owned()) } else { path.to_owned() };
+    let plain = |p: &Path| p.file_name().is_some_and(|n| n == "images" || n == "photos");
+    match whole.parent() {
+        Some(above) if path.is_dir() && plain(&whole) => safe_stem(above),
+        _ => safe_stem(&whole),
+    }
+}
+
+/// The folder of photos has the model's name already.
+pub(super) fn default_output(path: &Path, stem: &str) -> PathBuf {
+    PathBuf::from(if path.is_dir() { format!("{stem}_model") } else { stem.to_owned() })
 }
 
 fn texture_size(text: &str) -> std::result::Result<u32, String> {
@@ -241,13 +258,13 @@ fn decimal_year(reading: &time::TimeReading) -> f64 {
 fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<u8> {
     let started = Instant::now();
     let mut plan = plan(args)?;
-    let photo_limits = photo::Limits::default();
-    let bytes = read_photo(&plan.photo, photo_limits.file_bytes)?;
-    let name = plan.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let photo = photo::decode(&name, &bytes, &photo_limits)?;
-    plan.wanted.check(&photo.exif)?;
-    let carried = marking::carried(&name, &bytes)?;
-    let inputs = [vec![carried.clone()], plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
+    let front = Front::open(&plan.photo, &args.photos)?;
+    if front.one().is_none() {
+        args.networks.check_built_in()?;
+    }
+    plan.wanted.check(front.exif())?;
+    let inputs =
+        [front.carried().to_vec(), plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
     let handling = args.publish.marking.decide(&inputs, &time::now()?.utc())?;
     let product = handling.marking.clone();
 
@@ -279,13 +296,18 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
     let bar = Bar::new(stop, args.publish.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-    let chosen = networks::choose(&args.networks, &photo, args.seed, &data, &mut say)?;
-    let mut done = pipeline::reconstruct(&photo, &Rten, &chosen.sources, fitter, &settings, &bar)?;
+    let chosen = match front.one() {
+        Some(photo) => networks::choose(&args.networks, photo, args.seed, &data, &mut say)?,
+        None => networks::Chosen { sources: Sources::default(), inputs: Vec::new() },
+    };
+    let fixes = front.fixes(plan.wanted.datum)?;
+    let (photo, fitted) = front.fit(&chosen.sources, &args.photos, &fixes, fitter, &settings, &bar)?;
+    let mut done = pipeline::finish(fitted, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();
     let reading = time::now()?;
-    let placed = place::place(plan.wanted, &photo, &mut done, decimal_year(&reading))?;
+    let placed = place::place(plan.wanted, &photo, &mut done, &fixes, args.seed, decimal_year(&reading))?;
     let (placement, scale, to_metres) = (&placed.placement, &placed.scale, &placed.to_metres);
     placed.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
     let labels = Labels {
@@ -328,14 +350,13 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let published = run.seal(Evidence {
         event_type: "scene.generate",
         time: reading,
-        inputs: [
-            vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
-            chosen.inputs,
-            placed.inputs.clone(),
-        ]
-        .concat(),
+        inputs: [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone()].concat(),
         models: models(&done.sources, &done.report.device),
-        params: params(args, &settings, &done, &placed, &plan.catalogue, line),
+        params: {
+            let mut all = params(args, &settings, &done, &placed, &plan.catalogue, line);
+            all.extend(front.params(done.several.as_ref()));
+            all
+        },
     })?;
     bar.finish();
 
@@ -350,6 +371,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         store_model: store_model.as_deref(),
         steps_planned: settings.iterations,
         verbose: args.verbose,
+        photos: front.lines(done.several.as_ref()),
     };
     if args.json {
         println!("{}", summary::json(&summary)?);

@@ -14,6 +14,7 @@ pub mod key;
 mod marking;
 pub mod models;
 mod networks;
+mod photos;
 pub mod reconstruct;
 pub mod render;
 mod sealed;

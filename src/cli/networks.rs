@@ -81,6 +81,29 @@ pub struct NetworkArgs {
     pub engine: EngineArgs,
 }
 
+impl NetworkArgs {
+    /// For several photos: the built-in networks alone.
+    ///
+    /// # Errors
+    /// Usage, naming the option.
+    pub fn check_built_in(&self) -> Result<()> {
+        let given = [
+            ("--mask", self.mask.is_some()),
+            ("--point", !self.point.is_empty()),
+            ("--box", self.bounds.is_some()),
+            ("--views", self.views.is_some()),
+            ("--networks", self.networks.iter().any(|n| n != "auto" && n != "built-in")),
+        ];
+        match given.iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(Error::usage(*option)
+                .expected("one photo")
+                .found("a folder of photos")
+                .advice("Several photos are masked by the built-in network, or by their own alpha channels.")),
+            None => Ok(()),
+        }
+    }
+}
+
 /// Where imported networks lie: `ORB_MODELS_DIR`, else `models` in the data folder.
 pub fn registry(data: &DataFolder) -> Registry {
     let own = std::env::var_os("ORB_MODELS_DIR").filter(|v| !v.is_empty()).map(PathBuf::from);

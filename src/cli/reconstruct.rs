@@ -9,22 +9,23 @@ use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::geo::{self, Quality};
-use super::marking;
+use super::photos::{Front, PhotosArgs};
 use super::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::audit::statement::Param;
-use crate::audit::{record, time};
-use crate::models::Rten;
-use crate::pipeline::{self, Settings};
+use crate::audit::time;
+use crate::pipeline::Settings;
 use crate::progress::Progress;
 use crate::sources::Sources;
 use crate::symmetry::Use;
-use crate::{Result, export, photo, splat};
+use crate::{Result, export, splat};
 
 /// Turn a photo into Gaussians alone: neither meshed nor placed.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Reconstruct {
-    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle.
+    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
     pub photo: PathBuf,
+    #[command(flatten)]
+    pub photos: PhotosArgs,
     /// Folder to publish; must not exist yet. Default: the photo's name without its extension.
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -49,15 +50,12 @@ pub struct Reconstruct {
 /// Errors: as `orb geo`.
 pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let started = Instant::now();
-    let limits = photo::Limits::default();
-    let bytes = geo::read_photo(&args.photo, limits.file_bytes)?;
-    let name = args.photo.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let photo = photo::decode(&name, &bytes, &limits)?;
+    let front = Front::open(&args.photo, &args.photos)?;
     let kept = args.kept.open()?;
-    let carried = marking::carried(&name, &bytes)?;
-    let handling = args.publish.marking.decide(std::slice::from_ref(&carried), &time::now()?.utc())?;
+    let handling = args.publish.marking.decide(front.carried(), &time::now()?.utc())?;
     let product = handling.marking.clone();
-    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(super::format::safe_stem(&args.photo)));
+    let stem = geo::stem_of(&args.photo);
+    let output = args.output.clone().unwrap_or_else(|| geo::default_output(&args.photo, &stem));
     let mut sealed = SealedRun::begin("orb reconstruct", &output, handling, &args.publish)?;
     let gpu = args.device.open_quietly(&mut |line| {
         if !args.publish.quiet {
@@ -81,7 +79,8 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     };
     let bar = Bar::new(stop, args.publish.quiet);
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
-    let done = pipeline::fit(&photo, &Rten, &Sources::default(), fitter, &settings, &bar)?;
+    let fixes = front.fixes(None)?;
+    let (photo, done) = front.fit(&Sources::default(), &args.photos, &fixes, fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
     let scene = export::unit_ply(&done.gaussians, &product)?;
     sealed.publication.add(&scene.path, &scene.bytes, scene.media_type, "gaussians")?;
@@ -92,7 +91,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let published = sealed.seal(Evidence {
         event_type: "scene.reconstruct",
         time: time::now()?,
-        inputs: vec![record::input(&name, &bytes, photo.media_type, "photo", carried)],
+        inputs: front.inputs().to_vec(),
         models: geo::models(&done.sources, &report.device),
         params: BTreeMap::from([
             ("seed".into(), Param::Text(args.seed.to_string())),
@@ -100,7 +99,10 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
             ("iterations_planned".into(), Param::Int(settings.iterations.into())),
             ("iterations_run".into(), Param::Int(report.iterations as i64)),
             ("stopped_by_time".into(), Param::Bool(report.stopped_by_deadline)),
-        ]),
+        ])
+        .into_iter()
+        .chain(front.params(done.several.as_ref()))
+        .collect(),
     })?;
     bar.finish();
     if !args.publish.quiet {
@@ -116,6 +118,9 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
             stages.join(", "),
             started.elapsed().as_secs_f64(),
         );
+        for (name, words) in front.lines(done.several.as_ref()) {
+            println!("{name:<12} {words}");
+        }
     }
     Ok(0)
 }

@@ -9,6 +9,7 @@ use crate::audit::publication::Published;
 use crate::audit::time::TimeReading;
 use crate::geo::scale::with_deviation;
 use crate::models::prior;
+use crate::pipeline::several::Role;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
 use crate::{Error, Result, memory};
@@ -26,6 +27,8 @@ pub struct Summary<'a> {
     pub steps_planned: u32,
     /// Also what each stage used and what the networks said.
     pub verbose: bool,
+    /// Of several photos: name and words of each line.
+    pub photos: Vec<(&'static str, String)>,
 }
 
 /// Lines for a person.
@@ -67,7 +70,13 @@ pub fn text(s: &Summary) -> String {
         run if run < s.steps_planned as usize => format!("{run} of {} steps, for lack of time", s.steps_planned),
         run => format!("{run} steps"),
     };
-    line("optimised", format!("{steps}; {}", quality(s.done)));
+    match s.done.several {
+        None => line("optimised", format!("{steps}; {}", quality(s.done))),
+        Some(_) => line("optimised", steps),
+    }
+    for (name, words) in &s.photos {
+        line(name, words.clone());
+    }
     line("time", s.time.describe());
     line("record", format!("{} of ledger {}", s.published.seq, s.published.ledger_id));
     line("trail hash", s.published.trail_hash.clone());
@@ -193,6 +202,7 @@ pub fn json(s: &Summary) -> Result<String> {
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
         .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
+        .filter(|_| s.done.several.is_none())
         .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
         .collect();
     let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
@@ -201,7 +211,25 @@ pub fn json(s: &Summary) -> Result<String> {
         serde_json::json!({"id": m.id, "sha256": m.weights_sha256(), "runtime": r.runtime, "pinned": m.pinned})
     });
     let models: Vec<_> = built_in.into_iter().chain(imported).collect();
+    let scores = |v: &crate::pipeline::several::Scores| {
+        serde_json::json!({
+            "photos": v.photos, "psnr_db": v.psnr, "ssim": v.ssim, "silhouette_iou": v.silhouette_iou,
+        })
+    };
+    let several = s.done.several.as_ref().map(|v| {
+        serde_json::json!({
+            "trained_on": scores(&v.trained), "held_out": (v.held_out.photos > 0).then(|| scores(&v.held_out)),
+            "left_out": v.photos.iter().filter_map(|p| match &p.role {
+                Role::LeftOut(why) => Some(serde_json::json!({"photo": p.name, "why": why})),
+                _ => None,
+            }).collect::<Vec<_>>(),
+            "up_from": v.up_by.label(), "network_silhouette_iou": v.network_iou,
+            "started_from": {"network": v.started_from[0], "masks": v.started_from[1], "points": v.started_from[2]},
+            "refined": v.refined.map(|(turn, shift)| serde_json::json!({"most_deg": turn, "most_shift": shift})),
+        })
+    });
     let object = serde_json::json!({
+        "several_photos": several,
         "folder": s.published.folder.display().to_string(),
         "outputs": outputs,
         "stages": stages,

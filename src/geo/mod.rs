@@ -15,6 +15,7 @@ mod proj;
 pub mod scale;
 pub mod sidecar;
 pub mod sight;
+pub mod similarity;
 mod transverse_mercator;
 mod utm;
 mod wgs84;

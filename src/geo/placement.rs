@@ -11,6 +11,8 @@ pub enum HeadingSource {
     ExifMagnetic,
     /// A drone's gimbal, from XMP.
     Gimbal,
+    /// Several cameras' positions on the Earth, or ground control points.
+    Georegistration,
     /// Nothing known: 0.
     Assumed,
 }
@@ -22,6 +24,7 @@ impl HeadingSource {
             HeadingSource::ExifTrue => "exif-true-north",
             HeadingSource::ExifMagnetic => "exif-magnetic-wmm2025",
             HeadingSource::Gimbal => "gimbal",
+            HeadingSource::Georegistration => "georegistration",
             HeadingSource::Assumed => "assumed",
         }
     }

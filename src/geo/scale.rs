@@ -32,6 +32,16 @@ pub struct View {
     pub canonical_fov: f32,
     /// From EXIF.
     pub focal_35mm: Option<f64>,
+    /// In pixels of the photo, from the camera's model that came with its pose: wins over EXIF's.
+    pub posed_focal: Option<f64>,
+}
+
+/// Who says the focal length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FocalBy {
+    Poses,
+    Exif,
+    Assumption,
 }
 
 /// A length in metres with its standard deviation, and who says so.
@@ -53,6 +63,17 @@ pub enum By {
     Assumption,
 }
 
+impl FocalBy {
+    /// Of what holds for poses, EXIF and the assumption.
+    fn pick<T: Copy>(self, [poses, exif, assumed]: [T; 3]) -> T {
+        match self {
+            FocalBy::Poses => poses,
+            FocalBy::Exif => exif,
+            FocalBy::Assumption => assumed,
+        }
+    }
+}
+
 /// Everything that can give a scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hints {
@@ -63,6 +84,8 @@ pub struct Hints {
     pub distance: Option<Measured>,
     /// Camera to the subject's front, by a metric depth network, and how many units the front lies before the middle.
     pub front: Option<(Measured, f64)>,
+    /// By cameras or points whose places on the Earth are known.
+    pub registered: Option<Estimate>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +102,12 @@ pub enum ScaleSource {
     /// Distance to the front by a metric depth network.
     MetricDepthExifFocal,
     MetricDepthAssumedFocal,
+    /// Camera height over the ground, focal length of the posed camera.
+    CameraHeightPosedFocal,
+    DistancePosedFocal,
+    MetricDepthPosedFocal,
+    /// The cameras' positions on the Earth, or ground control points.
+    Georegistration,
 }
 
 impl ScaleSource {
@@ -93,6 +122,10 @@ impl ScaleSource {
             ScaleSource::DistanceAssumedFocal => "distance-assumed-focal",
             ScaleSource::MetricDepthExifFocal => "metric-depth-exif-focal",
             ScaleSource::MetricDepthAssumedFocal => "metric-depth-assumed-focal",
+            ScaleSource::CameraHeightPosedFocal => "camera-height-posed-focal",
+            ScaleSource::DistancePosedFocal => "distance-posed-focal",
+            ScaleSource::MetricDepthPosedFocal => "metric-depth-posed-focal",
+            ScaleSource::Georegistration => "georegistration",
         }
     }
 }
@@ -136,6 +169,8 @@ pub const ASSUMED_CAMERA_HEIGHT: Measured = Measured { metres: 1.6, sigma: 0.2, 
 const ASSUMED_FOCAL_SIGMA: f64 = 0.25;
 /// The tag is a whole number of millimetres of a nominal lens.
 const EXIF_FOCAL_SIGMA: f64 = 0.03;
+/// Of a camera that was calibrated with its pose.
+const POSED_FOCAL_SIGMA: f64 = 0.01;
 /// How far a mesh's box is from its subject's: a voxel's width on each side.
 const EXTENT_SIGMA: f64 = 0.02;
 /// A dimension that somebody measured or looked up.
@@ -144,14 +179,17 @@ const KNOWN_SIGMA: f64 = 0.01;
 const DIAGONAL_35MM: f64 = 43.266_615;
 
 impl View {
-    /// Focal length in pixels of the photo, its relative standard deviation, and whether EXIF says it.
-    pub fn focal(&self) -> (f64, f64, bool) {
-        let (focal_35mm, sigma, exif) = match self.focal_35mm {
-            Some(f) => (f, EXIF_FOCAL_SIGMA, true),
-            None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, false),
+    /// Focal length in pixels of the photo, its relative standard deviation, and who says it.
+    pub fn focal(&self) -> (f64, f64, FocalBy) {
+        if let Some(pixels) = self.posed_focal {
+            return (pixels, POSED_FOCAL_SIGMA, FocalBy::Poses);
+        }
+        let (focal_35mm, sigma, by) = match self.focal_35mm {
+            Some(f) => (f, EXIF_FOCAL_SIGMA, FocalBy::Exif),
+            None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, FocalBy::Assumption),
         };
         let diagonal = f64::from(self.photo_width).hypot(f64::from(self.photo_height));
-        (focal_35mm * diagonal / DIAGONAL_35MM, sigma, exif)
+        (focal_35mm * diagonal / DIAGONAL_35MM, sigma, by)
     }
 
     /// Units from the camera to the subject's middle: D = d · 2 tan(fov / 2) · f / s, where the subject fills the crop
@@ -167,9 +205,10 @@ impl View {
     }
 
     fn focal_words(&self) -> String {
-        match self.focal_35mm {
-            Some(f) => format!("focal length {f} mm from EXIF"),
-            None => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
+        match (self.posed_focal, self.focal_35mm) {
+            (Some(f), _) => format!("focal length {f:.1} pixels of the posed camera"),
+            (None, Some(f)) => format!("focal length {f} mm from EXIF"),
+            (None, None) => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
         }
     }
 }
@@ -183,6 +222,7 @@ pub fn metres_per_unit(hints: &Hints, extents: &Extents, view: &View) -> Result<
     for known in &hints.known {
         estimates.push(from_dimension(*known, extents)?);
     }
+    estimates.extend(hints.registered.clone());
     estimates.extend(hints.distance.map(|d| from_distance(d, view)));
     estimates.extend(hints.front.and_then(|(m, before)| from_front(m, before, view)));
     let assumed = hints.camera_height.by == By::Assumption;
@@ -229,11 +269,11 @@ fn said(what: &str, m: Measured) -> String {
 }
 
 fn from_distance(distance: Measured, view: &View) -> Estimate {
-    let (_, focal_sigma, exif) = view.focal();
+    let (_, focal_sigma, by) = view.focal();
     Estimate {
         metres_per_unit: distance.metres / view.distance(),
         sigma: (distance.sigma / distance.metres).hypot(focal_sigma),
-        source: if exif { ScaleSource::DistanceExifFocal } else { ScaleSource::DistanceAssumedFocal },
+        source: by.pick([ScaleSource::DistancePosedFocal, ScaleSource::DistanceExifFocal, ScaleSource::DistanceAssumedFocal]),
         words: format!("{}, {}", said("distance", distance), view.focal_words()),
     }
 }
@@ -245,12 +285,12 @@ fn from_front(front: Measured, before_middle: f64, view: &View) -> Option<Estima
     if units < 0.1 {
         return None;
     }
-    let (_, focal_sigma, exif) = view.focal();
+    let (_, focal_sigma, by) = view.focal();
     let by_focal = view.distance() * focal_sigma / units;
     Some(Estimate {
         metres_per_unit: front.metres / units,
         sigma: (front.sigma / front.metres).hypot(by_focal),
-        source: if exif { ScaleSource::MetricDepthExifFocal } else { ScaleSource::MetricDepthAssumedFocal },
+        source: by.pick([ScaleSource::MetricDepthPosedFocal, ScaleSource::MetricDepthExifFocal, ScaleSource::MetricDepthAssumedFocal]),
         words: format!("{}, {}", said("front", front), view.focal_words()),
     })
 }
@@ -262,14 +302,14 @@ fn from_camera_height(height: Measured, extents: &Extents, view: &View) -> Optio
     if units < 0.1 {
         return None;
     }
-    let (_, focal_sigma, exif) = view.focal();
+    let (_, focal_sigma, by) = view.focal();
     let (sin, cos) = f64::from(view.elevation).sin_cos();
     let by_focal = view.distance() * sin * focal_sigma / units;
     let by_elevation = view.distance() * cos * view.elevation_sigma / units;
     Some(Estimate {
         metres_per_unit: height.metres / units,
         sigma: (height.sigma / height.metres).hypot(by_focal).hypot(by_elevation),
-        source: if exif { ScaleSource::CameraHeightExifFocal } else { ScaleSource::CameraHeightAssumedFocal },
+        source: by.pick([ScaleSource::CameraHeightPosedFocal, ScaleSource::CameraHeightExifFocal, ScaleSource::CameraHeightAssumedFocal]),
         words: format!("{}, {}", said("camera height", height), view.focal_words()),
     })
 }
@@ -321,11 +361,12 @@ mod tests {
             canonical_distance: 3.9,
             canonical_fov: 30f32.to_radians(),
             focal_35mm: Some(50.0),
+            posed_focal: None,
         }
     }
 
     fn hints(known: &[Known]) -> Hints {
-        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None, front: None }
+        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None, front: None, registered: None }
     }
 
     fn standing(metres: f64) -> Hints {

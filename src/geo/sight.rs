@@ -75,6 +75,7 @@ mod tests {
             canonical_distance: 3.9,
             canonical_fov: 30f32.to_radians(),
             focal_35mm: Some(28.0),
+            posed_focal: None,
         }
     }
 
@@ -86,6 +87,7 @@ mod tests {
             camera_height: ASSUMED_CAMERA_HEIGHT,
             distance: Some(Measured { metres: 50.0, sigma: 0.5, by: By::Operator }),
             front: None,
+            registered: None,
         };
         let scale = metres_per_unit(&hints, &extents, &view()).unwrap();
         let s = stand(&view(), &extents, &scale);

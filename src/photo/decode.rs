@@ -42,6 +42,56 @@ impl Default for Limits {
 /// # Errors
 /// Usage errors that name the file: empty, not one of the formats, cut short or damaged, too small, over a limit.
 pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
+    let (photo, orientation) = decode_as_stored(name, bytes, limits)?;
+    let pixels = upright(DynamicImage::ImageRgb8(photo.pixels), orientation).into_rgb8();
+    let cutout = photo.cutout.map(|alpha| upright(DynamicImage::ImageLuma8(alpha), orientation).into_luma8());
+    Ok(Photo { pixels, cutout, ..photo })
+}
+
+/// As [`decode`], rows as the file has them, and how they would have to be turned: for cameras that were calibrated on
+/// them as they are.
+///
+/// # Errors
+/// As [`decode`].
+pub fn decode_as_stored(name: &str, bytes: &[u8], limits: &Limits) -> Result<(Photo, Orientation)> {
+    let Opened { decoder, format, media_type, exif, orientation } = open(name, bytes, limits)?;
+    let damaged = |error: image::ImageError| refuse(name, bytes.len(), limits, &error);
+    if (format == ImageFormat::Jpeg && !jpeg_reaches_its_end(bytes))
+        || (format == ImageFormat::WebP && !webp_reaches_its_end(bytes))
+    {
+        return Err(cut_short(name, bytes.len()));
+    }
+    let (pixels, cutout) = flatten(DynamicImage::from_decoder(decoder).map_err(damaged)?);
+    let photo = Photo {
+        name: name.to_owned(),
+        media_type,
+        sha256: Sha256::digest(bytes).into(),
+        byte_len: bytes.len() as u64,
+        pixels,
+        cutout,
+        exif,
+    };
+    Ok((photo, orientation))
+}
+
+/// What the camera wrote beside the picture, and the kind of file; no pixel is decoded.
+///
+/// # Errors
+/// As [`decode`], but for damage to the pixels.
+pub fn metadata(name: &str, bytes: &[u8], limits: &Limits) -> Result<(Exif, &'static str)> {
+    open(name, bytes, limits).map(|o| (o.exif, o.media_type))
+}
+
+/// A photo whose pixels are still to come.
+struct Opened<'a> {
+    decoder: Box<dyn ImageDecoder + 'a>,
+    format: ImageFormat,
+    media_type: &'static str,
+    exif: Exif,
+    orientation: Orientation,
+}
+
+fn open<'a>(name: &str, bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>> {
     let problem = |found: String| Error::usage(name).expected("a JPEG, PNG, WebP or TIFF photo").found(found);
     if bytes.is_empty() {
         return Err(problem("an empty file".into()));
@@ -60,16 +110,10 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
         Ok(other) => return Err(problem(format!("{other:?}")).advice("Convert the file to JPEG or PNG.")),
         Err(_) => return Err(problem(describe(bytes)).advice("Convert the file to JPEG or PNG.")),
     };
-    if (format == ImageFormat::Jpeg && !jpeg_reaches_its_end(bytes))
-        || (format == ImageFormat::WebP && !webp_reaches_its_end(bytes))
-    {
-        return Err(cut_short(name, bytes.len()));
-    }
     let damaged = |error: image::ImageError| refuse(name, bytes.len(), limits, &error);
-
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     reader.limits(decoder_limits(limits));
-    let mut decoder = reader.into_decoder().map_err(damaged)?;
+    let mut decoder: Box<dyn ImageDecoder + 'a> = Box::new(reader.into_decoder().map_err(damaged)?);
     let (width, height) = decoder.dimensions();
     check_size(name, width, height, decoder.total_bytes(), limits)?;
     let block = match format {
@@ -81,18 +125,7 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
         Ok(Some(packet)) => exif.with_xmp(&packet),
         _ => exif,
     };
-    let decoded = DynamicImage::from_decoder(decoder).map_err(damaged)?;
-
-    let (pixels, cutout) = flatten(decoded);
-    Ok(Photo {
-        name: name.to_owned(),
-        media_type,
-        sha256: Sha256::digest(bytes).into(),
-        byte_len: bytes.len() as u64,
-        pixels: upright(DynamicImage::ImageRgb8(pixels), orientation).into_rgb8(),
-        cutout: cutout.map(|alpha| upright(DynamicImage::ImageLuma8(alpha), orientation).into_luma8()),
-        exif,
-    })
+    Ok(Opened { decoder, format, media_type, exif, orientation })
 }
 
 fn decoder_limits(limits: &Limits) -> image::Limits {

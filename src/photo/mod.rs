@@ -12,7 +12,7 @@ mod tag_tests;
 mod tests;
 mod xmp;
 
-pub use decode::{Limits, decode};
+pub use decode::{Limits, decode, decode_as_stored, metadata};
 pub use gps::{AltitudeAbove, Position};
 pub use metadata::{Exif, Orientation};
 pub use plane::Plane;

@@ -2,6 +2,7 @@
 //! with painted textures, on simple ground under a plain sky; drawn by Orb's own rasteriser. Same seed, same bytes.
 
 mod parts;
+pub mod photos;
 mod surroundings;
 mod things;
 

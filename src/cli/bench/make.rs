@@ -33,6 +33,15 @@ pub struct Make {
     /// Pixels across a held-back view.
     #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(32..=2048))]
     pub view_size: u32,
+    /// In place of a photo and held-back views of each: so many photos all around it, with GPS, and COLMAP's model of them.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=500))]
+    pub photos: Option<u32>,
+    /// Standard deviation of the photos' GPS across, metres; twice that up.
+    #[arg(long, value_name = "METRES", default_value_t = 1.5, requires = "photos")]
+    pub gps_noise: f64,
+    /// Leave COLMAP's model out.
+    #[arg(long, requires = "photos")]
+    pub no_poses: bool,
     #[command(flatten)]
     pub publish: PublishArgs,
 }
@@ -50,7 +59,20 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
     bar.begin("making scenes", args.scenes.into());
     for i in 0..args.scenes as usize {
         bar.check()?;
-        for file in make::scene(i, &options, &marking)?.1 {
+        let files = match args.photos {
+            None => make::scene(i, &options, &marking)?.1,
+            Some(count) => {
+                let several = make::photos::Options {
+                    seed: args.seed,
+                    count: count as usize,
+                    width: args.size,
+                    gps_noise: args.gps_noise.clamp(0.0, 1000.0),
+                    poses: !args.no_poses,
+                };
+                make::photos::set(i, &several, &marking)?.1
+            }
+        };
+        for file in files {
             let role = if file.media_type == "application/json" { "scene" } else { "truth" };
             sealed.publication.add(&file.path, &file.bytes, file.media_type, role)?;
         }

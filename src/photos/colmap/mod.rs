@@ -103,21 +103,26 @@ pub fn is_test(index: usize) -> bool {
 impl Image {
     /// This picture's camera without its distortion.
     pub fn pinhole(&self, camera: &Camera) -> crate::splat::Camera {
-        let [fx, fy, cx, cy] = camera.pinhole().map(|v| v as f32);
-        crate::splat::Camera {
-            width: camera.width,
-            height: camera.height,
-            fx,
-            fy,
-            cx,
-            cy,
-            rotation: Mat3::from_quat(self.rotation.as_quat()),
-            translation: self.translation.as_vec3(),
-        }
+        camera.posed(self.rotation, self.translation)
     }
 }
 
 impl Camera {
+    /// Without its distortion, at a pose: world→camera.
+    pub fn posed(&self, rotation: DQuat, translation: DVec3) -> crate::splat::Camera {
+        let [fx, fy, cx, cy] = self.pinhole().map(|v| v as f32);
+        crate::splat::Camera {
+            width: self.width,
+            height: self.height,
+            fx,
+            fy,
+            cx,
+            cy,
+            rotation: Mat3::from_quat(rotation.as_quat()),
+            translation: translation.as_vec3(),
+        }
+    }
+
     /// Focal lengths and centre, pixels.
     pub fn pinhole(&self) -> [f64; 4] {
         let p = &self.parameters;

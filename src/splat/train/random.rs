@@ -9,6 +9,7 @@ pub fn hash(x: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+#[derive(Clone)]
 pub struct Random(u64);
 
 impl Random {

@@ -1,0 +1,316 @@
+//! What a reconstruction begins with: one photo, or a folder of them with its options, its poses, its places on the Earth.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use glam::DVec3;
+
+use super::marking;
+use crate::audit::statement::{Input, Param};
+use crate::audit::{Marking, record};
+use crate::geo::{AltDatum, Geodetic, to_ellipsoid};
+use crate::photo::{self, AltitudeAbove, Exif, Photo};
+use crate::photos::register::{self, Fix};
+use crate::photos::{Posed, Poses, poses};
+use crate::models::Rten;
+use crate::pipeline::several::{self, Options, Role, Scores, Several};
+use crate::pipeline::{self, Fitted, Settings};
+use crate::progress::Progress;
+use crate::sources::Sources;
+use crate::{Error, Result, splat};
+
+/// What a receiver in a camera or drone is good to where the photo does not say.
+const GNSS_SIGMA: f64 = 5.0;
+/// Up is taken from the Earth where it is known as well as this, degrees; else from the photos.
+const UP_SIGMA: f64 = 1.0;
+
+/// How several photos belong together.
+#[derive(Args, Clone, Debug, Default)]
+pub struct PhotosArgs {
+    /// Where the cameras of several photos stood: a COLMAP model, a folder of models (the largest is taken) or a
+    /// transforms.json. Default: what lies in the folder of the photos or beside it.
+    #[arg(long, value_name = "PATH", help_heading = "Several photos")]
+    pub poses: Option<PathBuf>,
+
+    /// Refine the cameras' poses while the Gaussians are optimised.
+    #[arg(long, help_heading = "Several photos")]
+    pub refine_poses: bool,
+}
+
+impl PhotosArgs {
+    /// Refuses what only a folder of photos can use.
+    ///
+    /// # Errors
+    /// Usage.
+    pub fn check_unused(&self) -> Result<()> {
+        match (&self.poses, self.refine_poses) {
+            (Some(_), _) => Err("--poses"),
+            (_, true) => Err("--refine-poses"),
+            _ => Ok(()),
+        }
+        .map_err(|option| Error::usage(option).expected("a folder of photos").found("one photo"))
+    }
+}
+
+/// Photos that were read once, for the record, and their poses.
+pub struct Folder {
+    pub poses: Poses,
+    /// Every photo with a pose, and the files that say the poses.
+    pub inputs: Vec<Input>,
+    pub carried: Vec<Option<Marking>>,
+    /// By photo of the poses.
+    pub exif: Vec<Exif>,
+}
+
+/// One photo, or a folder of them: read, but nothing made of it yet.
+pub enum Front {
+    One { photo: Box<Photo>, inputs: [Input; 1], carried: [Option<Marking>; 1] },
+    Several(Box<Folder>),
+}
+
+impl Front {
+    /// # Errors
+    /// As [`photo::decode`] and [`open`]; an option that the other kind has.
+    pub fn open(path: &Path, args: &PhotosArgs) -> Result<Front> {
+        if path.is_dir() {
+            return Ok(Front::Several(Box::new(open(path, args)?)));
+        }
+        args.check_unused()?;
+        let limits = photo::Limits::default();
+        let bytes = super::geo::read_photo(path, limits.file_bytes)?;
+        let name = name_of(path);
+        let photo = photo::decode(&name, &bytes, &limits)?;
+        let carried = marking::carried(&name, &bytes)?;
+        let input = record::input(&name, &bytes, photo.media_type, "photo", carried.clone());
+        Ok(Front::One { photo: Box::new(photo), inputs: [input], carried: [carried] })
+    }
+
+    pub fn one(&self) -> Option<&Photo> {
+        match self {
+            Front::One { photo, .. } => Some(photo),
+            Front::Several(_) => None,
+        }
+    }
+
+    /// Of the photo; of several, of one that has a place, if any has.
+    pub fn exif(&self) -> &Exif {
+        match self {
+            Front::One { photo, .. } => &photo.exif,
+            Front::Several(f) => {
+                f.exif.iter().find(|e| e.position.is_some_and(|p| p.altitude.is_some())).unwrap_or(&f.exif[0])
+            }
+        }
+    }
+
+    pub fn inputs(&self) -> &[Input] {
+        match self {
+            Front::One { inputs, .. } => inputs,
+            Front::Several(folder) => &folder.inputs,
+        }
+    }
+
+    /// What the inputs are marked.
+    pub fn carried(&self) -> &[Option<Marking>] {
+        match self {
+            Front::One { carried, .. } => carried,
+            Front::Several(folder) => &folder.carried,
+        }
+    }
+
+    /// What is known of the photos' places together; nothing of one.
+    ///
+    /// # Errors
+    /// As [`Folder::fixes`].
+    pub fn fixes(&self, datum: Option<AltDatum>) -> Result<Vec<Fix>> {
+        match self {
+            Front::One { .. } => Ok(Vec::new()),
+            Front::Several(folder) => folder.fixes(datum),
+        }
+    }
+
+    /// The Gaussians, and the photo that their frame is of. `sources` are for one photo.
+    ///
+    /// # Errors
+    /// As [`pipeline::fit`] and [`several::fit`].
+    pub fn fit(
+        &self,
+        sources: &Sources,
+        args: &PhotosArgs,
+        fixes: &[Fix],
+        fitter: splat::Engine,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<(Photo, Fitted)> {
+        match self {
+            Front::One { photo, .. } => {
+                let fitted = pipeline::fit(photo, &Rten, sources, fitter, settings, progress)?;
+                Ok(((**photo).clone(), fitted))
+            }
+            Front::Several(folder) => {
+                let options = options(args, fixes, settings.seed);
+                let photo = |posed: &Posed| folder.photo(posed);
+                several::fit(&folder.poses, &photo, &Rten, fitter, settings, &options, progress)
+            }
+        }
+    }
+
+    /// For the record.
+    pub fn params(&self, done: Option<&Several>) -> Vec<(String, Param)> {
+        match (self, done) {
+            (Front::Several(folder), Some(s)) => params(&folder.poses, s),
+            _ => Vec::new(),
+        }
+    }
+
+    /// For a person.
+    pub fn lines(&self, done: Option<&Several>) -> Vec<(&'static str, String)> {
+        match (self, done) {
+            (Front::Several(folder), Some(s)) => lines(&folder.poses, s),
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// Finds the poses, reads every file that goes in.
+///
+/// # Errors
+/// As [`poses::find`]; a photo or marking that cannot be read.
+fn open(folder: &Path, args: &PhotosArgs) -> Result<Folder> {
+    let Some(found) = poses::find(folder, args.poses.as_deref())? else {
+        return Err(Error::usage(folder.display().to_string())
+            .expected("poses of the photos: a COLMAP model (sparse/0) or transforms.json in the folder or beside it")
+            .found("none")
+            .advice("Give --poses PATH."));
+    };
+    let limits = photo::Limits::default();
+    let (mut inputs, mut carried, mut exif) = (Vec::new(), Vec::new(), Vec::new());
+    for posed in &found.photos {
+        let bytes = super::geo::read_photo(&posed.file, limits.file_bytes)?;
+        let (tags, media_type) = photo::metadata(&posed.name, &bytes, &limits)?;
+        let marked = marking::carried(&posed.name, &bytes)?;
+        inputs.push(record::input(&posed.name, &bytes, media_type, "photo", marked.clone()));
+        carried.push(marked);
+        exif.push(tags);
+    }
+    for file in &found.files {
+        let bytes = std::fs::read(file).map_err(|e| Error::io(file, &e))?;
+        let name = name_of(file);
+        let media_type = if name.ends_with(".json") { "application/json" } else { "application/octet-stream" };
+        inputs.push(record::input(&name, &bytes, media_type, "poses", None));
+    }
+    Ok(Folder { poses: found, inputs, carried, exif })
+}
+
+impl Folder {
+    /// The photo of a pose, its rows as the file has them.
+    ///
+    /// # Errors
+    /// As [`photo::decode_as_stored`]; integrity where the file is another than the one that was recorded.
+    pub fn photo(&self, posed: &Posed) -> Result<Photo> {
+        let limits = photo::Limits::default();
+        let bytes = super::geo::read_photo(&posed.file, limits.file_bytes)?;
+        let (photo, _) = photo::decode_as_stored(&posed.name, &bytes, &limits)?;
+        let recorded = self.inputs.iter().find(|i| i.role == "photo" && i.name == record::printable(&posed.name));
+        match recorded {
+            Some(i) if i.sha256 == hex::encode(photo.sha256) => Ok(photo),
+            _ => Err(Error::new(crate::Kind::Integrity, posed.file.display().to_string())
+                .expected("the photo as it was when the run began")
+                .found("another")),
+        }
+    }
+
+    /// The photos' places on the Earth, as their receivers wrote them. `datum` is what altitudes are above where the photo
+    /// does not say it.
+    ///
+    /// # Errors
+    /// As [`to_ellipsoid`].
+    pub fn fixes(&self, datum: Option<AltDatum>) -> Result<Vec<Fix>> {
+        let mut out = Vec::new();
+        for (posed, exif) in self.poses.photos.iter().zip(&self.exif) {
+            let Some(p) = exif.position else { continue };
+            let Some(altitude) = p.altitude else { continue };
+            let own = if p.altitude_above == AltitudeAbove::Ellipsoid { AltDatum::Ellipsoid } else { AltDatum::Msl };
+            let datum = datum.filter(|d| *d != AltDatum::Ground).unwrap_or(own);
+            let horizontal = p.accuracy.unwrap_or(GNSS_SIGMA);
+            let vertical = p.vertical_accuracy.unwrap_or(2.0 * horizontal);
+            let height = to_ellipsoid((p.latitude, p.longitude), altitude, vertical, datum, None)?;
+            out.push(Fix {
+                name: posed.name.clone(),
+                at: posed.centre(),
+                place: Geodetic { latitude: p.latitude, longitude: p.longitude, height: height.ellipsoidal },
+                horizontal,
+                vertical: height.sigma,
+                control: false,
+            });
+        }
+        Ok(out)
+    }
+}
+
+/// What the pipeline is told.
+fn options(args: &PhotosArgs, fixes: &[Fix], seed: u64) -> Options {
+    let up: Option<DVec3> = register::up(fixes, seed).filter(|(_, sigma)| *sigma < UP_SIGMA).map(|(up, _)| up);
+    Options { refine_poses: args.refine_poses, up }
+}
+
+fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {
+    let text = |v: String| Param::Text(v);
+    let with = |role: fn(&Role) -> bool| s.photos.iter().filter(|p| role(&p.role)).count() as i64;
+    let t = &s.to_unit;
+    let mut all = vec![
+        ("poses".into(), text(record::printable(&poses.source))),
+        ("photos_posed".into(), Param::Int(poses.photos.len() as i64)),
+        ("photos_trained_on".into(), Param::Int(with(|r| *r == Role::Trained))),
+        ("photos_held_out".into(), Param::Int(with(|r| *r == Role::HeldOut))),
+        ("photos_left_out".into(), Param::Int(with(|r| matches!(r, Role::LeftOut(_))))),
+        ("reference_photo".into(), text(record::printable(&poses.photos[s.reference].name))),
+        ("up_from".into(), text(s.up_by.label().into())),
+        ("network_silhouette_iou".into(), text(format!("{:.4}", s.network_iou))),
+        ("trained_psnr_db".into(), text(format!("{:.3}", s.trained.psnr))),
+        ("trained_ssim".into(), text(format!("{:.4}", s.trained.ssim))),
+        (
+            "world_to_unit".into(),
+            text(format!(
+                "scale {} rotation xyzw {} {} {} {} translation {} {} {}",
+                t.scale, t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w, t.translation.x, t.translation.y, t.translation.z
+            )),
+        ),
+    ];
+    if s.held_out.photos > 0 {
+        all.push(("held_out_psnr_db".into(), text(format!("{:.3}", s.held_out.psnr))));
+        all.push(("held_out_ssim".into(), text(format!("{:.4}", s.held_out.ssim))));
+        all.push(("held_out_silhouette_iou".into(), text(format!("{:.4}", s.held_out.silhouette_iou))));
+    }
+    if let Some(g) = &s.ground {
+        all.push(("ground_points".into(), text(format!("{} of {}", g.on_it, g.of))));
+    }
+    if let Some((turn, shift)) = s.refined {
+        all.push(("poses_refined_most_deg".into(), text(format!("{turn:.4}"))));
+        all.push(("poses_refined_most_shift".into(), text(format!("{shift:.5}"))));
+    }
+    all
+}
+
+/// What was used, and how well the result meets photos that it never saw.
+fn lines(poses: &Poses, s: &Several) -> Vec<(&'static str, String)> {
+    let with = |role: fn(&Role) -> bool| s.photos.iter().filter(|p| role(&p.role)).count();
+    let trained = with(|r| *r == Role::Trained);
+    let mut out = vec![("poses", std::iter::once(poses.source.clone()).chain(poses.notes.clone()).collect::<Vec<_>>().join("; "))];
+    let scores = |n: usize, s: &Scores| {
+        format!("{n}, PSNR {:.1} dB, SSIM {:.3}, silhouettes {:.3}", s.psnr, s.ssim, s.silhouette_iou)
+    };
+    out.push(("trained on", scores(trained, &s.trained)));
+    if s.held_out.photos > 0 {
+        out.push(("held out", scores(s.held_out.photos, &s.held_out)));
+    }
+    for p in &s.photos {
+        if let Role::LeftOut(why) = &p.role {
+            out.push(("left out", format!("{}: {why}", p.name)));
+        }
+    }
+    out
+}
