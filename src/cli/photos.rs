@@ -9,10 +9,10 @@ use super::marking;
 use crate::audit::statement::{Input, Param};
 use crate::audit::{Marking, record};
 use crate::geo::{AltDatum, Geodetic, to_ellipsoid};
+use crate::models::Rten;
 use crate::photo::{self, AltitudeAbove, Exif, Photo};
 use crate::photos::register::{self, Fix};
 use crate::photos::{Posed, Poses, poses};
-use crate::models::Rten;
 use crate::pipeline::several::{self, Options, Role, Scores, Several};
 use crate::pipeline::{self, Fitted, Settings};
 use crate::progress::Progress;
@@ -64,7 +64,7 @@ pub struct Folder {
 
 /// One photo, or a folder of them: read, but nothing made of it yet.
 pub enum Front {
-    One { photo: Box<Photo>, inputs: [Input; 1], carried: [Option<Marking>; 1] },
+    One { photo: Box<Photo>, inputs: Vec<Input>, carried: Vec<Option<Marking>> },
     Several(Box<Folder>),
 }
 
@@ -82,7 +82,7 @@ impl Front {
         let photo = photo::decode(&name, &bytes, &limits)?;
         let carried = marking::carried(&name, &bytes)?;
         let input = record::input(&name, &bytes, photo.media_type, "photo", carried.clone());
-        Ok(Front::One { photo: Box::new(photo), inputs: [input], carried: [carried] })
+        Ok(Front::One { photo: Box::new(photo), inputs: vec![input], carried: vec![carried] })
     }
 
     pub fn one(&self) -> Option<&Photo> {
@@ -276,7 +276,14 @@ fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {
             "world_to_unit".into(),
             text(format!(
                 "scale {} rotation xyzw {} {} {} {} translation {} {} {}",
-                t.scale, t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w, t.translation.x, t.translation.y, t.translation.z
+                t.scale,
+                t.rotation.x,
+                t.rotation.y,
+                t.rotation.z,
+                t.rotation.w,
+                t.translation.x,
+                t.translation.y,
+                t.translation.z
             )),
         ),
     ];
@@ -299,7 +306,10 @@ fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {
 fn lines(poses: &Poses, s: &Several) -> Vec<(&'static str, String)> {
     let with = |role: fn(&Role) -> bool| s.photos.iter().filter(|p| role(&p.role)).count();
     let trained = with(|r| *r == Role::Trained);
-    let mut out = vec![("poses", std::iter::once(poses.source.clone()).chain(poses.notes.clone()).collect::<Vec<_>>().join("; "))];
+    let mut out = vec![(
+        "poses",
+        std::iter::once(poses.source.clone()).chain(poses.notes.clone()).collect::<Vec<_>>().join("; "),
+    )];
     let scores = |n: usize, s: &Scores| {
         format!("{n}, PSNR {:.1} dB, SSIM {:.3}, silhouettes {:.3}", s.psnr, s.ssim, s.silhouette_iou)
     };

@@ -273,7 +273,11 @@ fn from_distance(distance: Measured, view: &View) -> Estimate {
     Estimate {
         metres_per_unit: distance.metres / view.distance(),
         sigma: (distance.sigma / distance.metres).hypot(focal_sigma),
-        source: by.pick([ScaleSource::DistancePosedFocal, ScaleSource::DistanceExifFocal, ScaleSource::DistanceAssumedFocal]),
+        source: by.pick([
+            ScaleSource::DistancePosedFocal,
+            ScaleSource::DistanceExifFocal,
+            ScaleSource::DistanceAssumedFocal,
+        ]),
         words: format!("{}, {}", said("distance", distance), view.focal_words()),
     }
 }
@@ -290,7 +294,11 @@ fn from_front(front: Measured, before_middle: f64, view: &View) -> Option<Estima
     Some(Estimate {
         metres_per_unit: front.metres / units,
         sigma: (front.sigma / front.metres).hypot(by_focal),
-        source: by.pick([ScaleSource::MetricDepthPosedFocal, ScaleSource::MetricDepthExifFocal, ScaleSource::MetricDepthAssumedFocal]),
+        source: by.pick([
+            ScaleSource::MetricDepthPosedFocal,
+            ScaleSource::MetricDepthExifFocal,
+            ScaleSource::MetricDepthAssumedFocal,
+        ]),
         words: format!("{}, {}", said("front", front), view.focal_words()),
     })
 }
@@ -309,7 +317,11 @@ fn from_camera_height(height: Measured, extents: &Extents, view: &View) -> Optio
     Some(Estimate {
         metres_per_unit: height.metres / units,
         sigma: (height.sigma / height.metres).hypot(by_focal).hypot(by_elevation),
-        source: by.pick([ScaleSource::CameraHeightPosedFocal, ScaleSource::CameraHeightExifFocal, ScaleSource::CameraHeightAssumedFocal]),
+        source: by.pick([
+            ScaleSource::CameraHeightPosedFocal,
+            ScaleSource::CameraHeightExifFocal,
+            ScaleSource::CameraHeightAssumedFocal,
+        ]),
         words: format!("{}, {}", said("camera height", height), view.focal_words()),
     })
 }
@@ -366,7 +378,13 @@ mod tests {
     }
 
     fn hints(known: &[Known]) -> Hints {
-        Hints { known: known.to_vec(), camera_height: ASSUMED_CAMERA_HEIGHT, distance: None, front: None, registered: None }
+        Hints {
+            known: known.to_vec(),
+            camera_height: ASSUMED_CAMERA_HEIGHT,
+            distance: None,
+            front: None,
+            registered: None,
+        }
     }
 
     fn standing(metres: f64) -> Hints {

@@ -11,8 +11,7 @@ pub struct Similarity {
 }
 
 impl Similarity {
-    pub const IDENTITY: Similarity =
-        Similarity { scale: 1.0, rotation: DQuat::IDENTITY, translation: DVec3::ZERO };
+    pub const IDENTITY: Similarity = Similarity { scale: 1.0, rotation: DQuat::IDENTITY, translation: DVec3::ZERO };
 
     pub fn apply(&self, p: DVec3) -> DVec3 {
         self.scale * (self.rotation * p) + self.translation
@@ -88,7 +87,11 @@ pub fn fit(pairs: &[Pair], turn: Turn) -> Option<Similarity> {
     };
     let along: f64 = pairs.iter().map(|p| weight(p) * (p.to - to).dot(rotation * (p.from - from))).sum::<f64>() / total;
     let scale = along / spread;
-    (scale.is_finite() && scale > 0.0).then(|| Similarity { scale, rotation, translation: to - scale * (rotation * from) })
+    (scale.is_finite() && scale > 0.0).then(|| Similarity {
+        scale,
+        rotation,
+        translation: to - scale * (rotation * from),
+    })
 }
 
 /// The rotation R with the largest trace of Rᵀ M: of the quaternion that is the eigenvector of the largest eigenvalue of
@@ -161,7 +164,9 @@ mod tests {
     }
 
     fn points() -> Vec<DVec3> {
-        (0..9u32).map(|i| DVec3::new((f64::from(i) * 1.3).sin() * 4.0, f64::from(i) - 4.0, f64::from(i * i % 7))).collect()
+        (0..9u32)
+            .map(|i| DVec3::new((f64::from(i) * 1.3).sin() * 4.0, f64::from(i) - 4.0, f64::from(i * i % 7)))
+            .collect()
     }
 
     fn pairs(by: &Similarity) -> Vec<Pair> {
@@ -183,8 +188,10 @@ mod tests {
 
     #[test]
     fn points_that_leave_it_open_give_nothing() {
-        let line: Vec<Pair> =
-            (0..5).map(|i| DVec3::new(f64::from(i), 0.0, 0.0)).map(|p| Pair { from: p, to: 2.0 * p, sigma: 1.0 }).collect();
+        let line: Vec<Pair> = (0..5)
+            .map(|i| DVec3::new(f64::from(i), 0.0, 0.0))
+            .map(|p| Pair { from: p, to: 2.0 * p, sigma: 1.0 })
+            .collect();
         assert!(fit(&line, Turn::Free).is_none());
         assert!((fit(&line, Turn::AboutUp).unwrap().scale - 2.0).abs() < 1e-9);
         let tower: Vec<Pair> =

@@ -52,7 +52,8 @@ impl Crop {
         // Pixels of the crop for one of the photo, and of the photo for one of the camera.
         let (kx, ky) = (w as f32 / rect.width, h as f32 / rect.height);
         let [fx, fy, cx, cy] = posed.camera.pinhole();
-        let (gx, gy) = (f64::from(width) / f64::from(posed.camera.width), f64::from(height) / f64::from(posed.camera.height));
+        let (gx, gy) =
+            (f64::from(width) / f64::from(posed.camera.width), f64::from(height) / f64::from(posed.camera.height));
         let (dx, dy) = (f64::from(kx), f64::from(ky));
         let inside =
             [fx * gx * dx, fy * gy * dy, (cx * gx - f64::from(rect.x)) * dx, (cy * gy - f64::from(rect.y)) * dy];
@@ -117,7 +118,8 @@ pub mod tests {
     /// A white disc's photo and mask, posed.
     pub fn disc(size: (u32, u32), at: [f32; 2], radius: f32) -> (Posed, image::RgbImage, Subject) {
         let inside = |x: u32, y: u32| (x as f32 + 0.5 - at[0]).hypot(y as f32 + 0.5 - at[1]) < radius;
-        let pixels = image::RgbImage::from_fn(size.0, size.1, |x, y| image::Rgb([if inside(x, y) { 255 } else { 0 }; 3]));
+        let pixels =
+            image::RgbImage::from_fn(size.0, size.1, |x, y| image::Rgb([if inside(x, y) { 255 } else { 0 }; 3]));
         let data: Vec<f32> = pixels.pixels().map(|p| f32::from(p.0[0]) / 255.0).collect();
         let mask = Plane { width: size.0 as usize, height: size.1 as usize, data };
         let bounds = crate::models::region::bounds(&mask, 0.5).unwrap();
@@ -128,16 +130,10 @@ pub mod tests {
             parameters: vec![800.0, 800.0, f64::from(size.0), f64::from(size.1)],
         };
         let rotation = DQuat::from_euler(glam::EulerRot::XYZ, 0.4, -0.2, 0.1);
-        let posed = Posed {
-            name: "a".into(),
-            file: "a".into(),
-            camera,
-            rotation,
-            translation: DVec3::new(0.1, -0.2, 5.0),
-        };
+        let posed =
+            Posed { name: "a".into(), file: "a".into(), camera, rotation, translation: DVec3::new(0.1, -0.2, 5.0) };
         let elevation = Elevation { mean: 0.0, spread: 0.1 };
-        let subject =
-            Subject { depth: mask.clone(), mask, bounds, scale: (1.0, 1.0), from_cutout: false, elevation };
+        let subject = Subject { depth: mask.clone(), mask, bounds, scale: (1.0, 1.0), from_cutout: false, elevation };
         (posed, pixels, subject)
     }
 
@@ -159,7 +155,10 @@ pub mod tests {
         let c = crop.camera(&to);
         let q = c.rotation * to.apply(p).as_vec3() + c.translation;
         let seen = [c.fx * q.x / q.z + c.cx, c.fy * q.y / q.z + c.cy];
-        assert!((f64::from(seen[0]) - middle[0]).abs() < 1e-2 && (f64::from(seen[1]) - middle[1]).abs() < 1e-2, "{seen:?}");
+        assert!(
+            (f64::from(seen[0]) - middle[0]).abs() < 1e-2 && (f64::from(seen[1]) - middle[1]).abs() < 1e-2,
+            "{seen:?}"
+        );
         assert_eq!(crop.silhouette(c).allows(to.apply(p).as_vec3()), Some(true));
         let beside = crop.centre() + 7.0 * crop.ray([-8.0, 5.0]);
         assert_eq!(crop.silhouette(c).allows(to.apply(beside).as_vec3()), Some(false));

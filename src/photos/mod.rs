@@ -11,4 +11,4 @@ pub mod register;
 pub mod start;
 pub mod transforms;
 
-pub use poses::{Poses, Posed};
+pub use poses::{Posed, Poses};

@@ -88,7 +88,9 @@ pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
     let Some(found) = (match given {
         Some(path) => Some(place(path)?.ok_or_else(|| {
             Error::usage(path.display().to_string())
-                .expected("a COLMAP model (cameras, images, points3D; .bin or .txt), a folder of them, or transforms.json")
+                .expected(
+                    "a COLMAP model (cameras, images, points3D; .bin or .txt), a folder of them, or transforms.json",
+                )
                 .found("none of them")
         })?),
         None => {
@@ -172,7 +174,8 @@ pub fn of_model(folder: &Path) -> Result<Poses> {
     if photos.is_empty() {
         return Err(Error::usage(folder.display().to_string()).expected("a model with images").found("none"));
     }
-    let file = |stem: &str| ["bin", "txt"].map(|e| folder.join(format!("{stem}.{e}"))).into_iter().find(|p| p.is_file());
+    let file =
+        |stem: &str| ["bin", "txt"].map(|e| folder.join(format!("{stem}.{e}"))).into_iter().find(|p| p.is_file());
     Ok(Poses {
         photos,
         points: model.points.iter().map(|p| (p.position, p.color)).collect(),
@@ -223,7 +226,11 @@ impl Poses {
                 .advice(format!("The first photo is {}.", photos.first().map(|p| last(p)).unwrap_or_default())));
         }
         if matched < photos.len() {
-            self.notes.push(format!("{} of {} photos have no pose and are not used", photos.len() - matched, photos.len()));
+            self.notes.push(format!(
+                "{} of {} photos have no pose and are not used",
+                photos.len() - matched,
+                photos.len()
+            ));
         }
         if matched < posed {
             self.notes.push(format!("{} of {posed} poses have no photo", posed - matched));

@@ -224,8 +224,11 @@ mod tests {
         let masks: Vec<Plane> = cameras().iter().map(|c| align::silhouette(&truth, c)).collect();
         let colour = vec![[0.5; 3]; 96 * 96];
         let known = [-500.0, -500.0, 500.0, 500.0];
-        let all: Vec<Silhouette> =
-            cameras().into_iter().zip(&masks).map(|(camera, mask)| Silhouette { camera, colour: &colour, mask, known }).collect();
+        let all: Vec<Silhouette> = cameras()
+            .into_iter()
+            .zip(&masks)
+            .map(|(camera, mask)| Silhouette { camera, colour: &colour, mask, known })
+            .collect();
         let wrong = Move {
             rotation: Mat3::from_quat(Quat::from_scaled_axis(Vec3::new(0.15, -0.1, 0.2))),
             scale: 1.2,
@@ -248,7 +251,8 @@ mod tests {
     fn a_camera_of_the_same_crop_says_where_the_network_stands() {
         // The network saw it from 3.9 at 30°; in truth from 6 with a longer lens, off the axis.
         let prior = Camera::look_at(Vec3::new(0.0, -3.9, 0.0), Vec3::ZERO, 30f32.to_radians(), 100);
-        let posed = Camera { cx: 250.0, ..Camera::look_at(Vec3::new(2.0, -6.0, 1.0), Vec3::new(1.0, 0.0, 0.0), 0.4, 300) };
+        let posed =
+            Camera { cx: 250.0, ..Camera::look_at(Vec3::new(2.0, -6.0, 1.0), Vec3::new(1.0, 0.0, 0.0), 0.4, 300) };
         let m = by_camera(&prior, &posed);
         let p = m.scale * (m.rotation * Vec3::Z) + m.translation;
         let at = |c: &Camera, p: Vec3| {

@@ -63,7 +63,8 @@ struct Frame {
 /// Usage, naming the list and the frame, for one that cannot be read or has a camera that is none.
 pub fn read(list: &Path) -> Result<Vec<Listed>> {
     let bytes = std::fs::read(list).map_err(|e| Error::io(list, &e))?;
-    let wrong = |expected: &str, found: String| Error::usage(list.display().to_string()).expected(expected).found(found);
+    let wrong =
+        |expected: &str, found: String| Error::usage(list.display().to_string()).expected(expected).found(found);
     let read: List = serde_json::from_slice(&bytes)
         .map_err(|e| wrong("frames with a file_path and a transform_matrix as NeRF writes them", e.to_string()))?;
     if read.frames.is_empty() {
@@ -80,10 +81,14 @@ fn listed(f: &Frame, list: &List, folder: &Path, wrong: &dyn Fn(&str, String) ->
     }
     let of = |pick: fn(&Inside) -> Option<f64>| pick(&f.inside).or(pick(&list.inside));
     let size = match (of(|i| i.w), of(|i| i.h)) {
-        (Some(w), Some(h)) if [w, h].iter().all(|v| v.fract() == 0.0 && (1.0..=65_535.0).contains(v)) => (w as u32, h as u32),
+        (Some(w), Some(h)) if [w, h].iter().all(|v| v.fract() == 0.0 && (1.0..=65_535.0).contains(v)) => {
+            (w as u32, h as u32)
+        }
         (None, None) => image::image_dimensions(&file)
             .map_err(|e| Error::usage(file.display().to_string()).expected("a picture").found(e.to_string()))?,
-        (w, h) => return Err(wrong("w and h, whole numbers from 1 to 65535", format!("{w:?} and {h:?} at {}", f.file_path))),
+        (w, h) => {
+            return Err(wrong("w and h, whole numbers from 1 to 65535", format!("{w:?} and {h:?} at {}", f.file_path)));
+        }
     };
     let (w, h) = (f64::from(size.0), f64::from(size.1));
     let by_angle = of(|i| i.camera_angle_x).map(|a| w / 2.0 / (a / 2.0).tan());
@@ -95,7 +100,9 @@ fn listed(f: &Frame, list: &List, folder: &Path, wrong: &dyn Fn(&str, String) ->
     let bent = [of(|i| i.k1), of(|i| i.k2), of(|i| i.p1), of(|i| i.p2), of(|i| i.k3), of(|i| i.k4)].map(plain);
     let [k1, k2, p1, p2, k3, k4] = bent;
     let lens = match list.camera_model.as_deref() {
-        None | Some("OPENCV" | "PINHOLE" | "SIMPLE_PINHOLE" | "SIMPLE_RADIAL" | "RADIAL") if bent == [0.0; 6] => Lens::Pinhole,
+        None | Some("OPENCV" | "PINHOLE" | "SIMPLE_PINHOLE" | "SIMPLE_RADIAL" | "RADIAL") if bent == [0.0; 6] => {
+            Lens::Pinhole
+        }
         None | Some("OPENCV" | "SIMPLE_RADIAL" | "RADIAL" | "FULL_OPENCV") => Lens::FullOpenCv,
         Some("OPENCV_FISHEYE") => Lens::OpenCvFisheye,
         Some(other) => return Err(wrong("camera_model OPENCV, OPENCV_FISHEYE or PINHOLE", other.to_owned())),
@@ -107,7 +114,12 @@ fn listed(f: &Frame, list: &List, folder: &Path, wrong: &dyn Fn(&str, String) ->
         _ => {}
     }
     let row = |i: usize| f.transform_matrix.get(i).map(|r| DVec3::new(r[0], r[1], r[2]));
-    let bad = || wrong("a camera→world matrix whose first three columns are a rotation", format!("another camera at {}", f.file_path));
+    let bad = || {
+        wrong(
+            "a camera→world matrix whose first three columns are a rotation",
+            format!("another camera at {}", f.file_path),
+        )
+    };
     let (Some(a), Some(b), Some(c)) = (row(0), row(1), row(2)) else { return Err(bad()) };
     let eye = DVec3::new(f.transform_matrix[0][3], f.transform_matrix[1][3], f.transform_matrix[2][3]);
     // Rows to columns, and from NeRF's axes to OpenCV's.
@@ -146,8 +158,12 @@ mod tests {
         assert_eq!((one.camera.lens, one.camera.parameters[2]), (Lens::Pinhole, 200.0));
         assert!((one.camera.parameters[0] - 200.0).abs() < 1e-9);
         let eye = -(one.rotation.inverse() * one.translation);
-        assert!((eye - DVec3::new(0.0, -3.0, 0.0)).length() < 1e-12 && (one.rotation * DVec3::Y - DVec3::Z).length() < 1e-12);
-        let bent = of(r#""fl_x": 500, "w": 400, "h": 300, "k1": 0.1, "p1": 0.01, "camera_model": "OPENCV""#, FRAME).unwrap();
+        assert!(
+            (eye - DVec3::new(0.0, -3.0, 0.0)).length() < 1e-12
+                && (one.rotation * DVec3::Y - DVec3::Z).length() < 1e-12
+        );
+        let bent =
+            of(r#""fl_x": 500, "w": 400, "h": 300, "k1": 0.1, "p1": 0.01, "camera_model": "OPENCV""#, FRAME).unwrap();
         assert_eq!(bent[0].camera.parameters, [500.0, 500.0, 200.0, 150.0, 0.1, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0]);
         let own = FRAME.replace("\"transform", "\"fl_x\": 7, \"cx\": 9, \"transform");
         assert_eq!(of(plain, &own).unwrap()[0].camera.parameters[..3], [7.0, 7.0, 9.0]);

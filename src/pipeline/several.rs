@@ -118,7 +118,8 @@ pub fn fit(
     clock.lap("masks");
 
     let cameras_up = frame::up_of_cameras(poses.photos.iter().map(|p| p.rotation));
-    let Framed { to_unit, up_by, ground } = framed(&mut seen, &mut photos, poses, &best, cameras_up, options, settings.seed)?;
+    let Framed { to_unit, up_by, ground } =
+        framed(&mut seen, &mut photos, poses, &best, cameras_up, options, settings.seed)?;
     let tested = |s: &Seen| seen.len() >= ENOUGH && is_test(s.index) && s.index != best.index;
     let is_held_out: Vec<bool> = seen.iter().map(tested).collect();
     let cameras: Vec<Camera> = seen.iter().map(|s| s.crop.camera(&to_unit)).collect();
@@ -181,6 +182,7 @@ pub fn fit(
         shown: Shown::Color,
         name: format!("{VIEW} {}", i + 1),
     }));
+    let settings = &settings_for(settings, training.len());
     let trained = super::trained(fitter, &one_view.gaussians, &targets, settings, progress)?;
     clock.lap("optimisation");
 
@@ -229,10 +231,9 @@ pub fn fit(
 }
 
 fn no_common_subject(found: impl Into<String>) -> Error {
-    Error::usage("photos")
-        .expected("one subject that at least two photos show whole")
-        .found(found)
-        .advice("The cameras must look at the subject from around it, and each photo must show some background on every side.")
+    Error::usage("photos").expected("one subject that at least two photos show whole").found(found).advice(
+        "The cameras must look at the subject from around it, and each photo must show some background on every side.",
+    )
 }
 
 struct Masked {
@@ -250,7 +251,12 @@ struct Best {
 }
 
 /// Every photo's subject, one photo in memory at a time.
-fn masked(poses: &Poses, open: &dyn Fn(&Posed) -> Result<Photo>, engine: &dyn Engine, progress: &dyn Progress) -> Result<Masked> {
+fn masked(
+    poses: &Poses,
+    open: &dyn Fn(&Posed) -> Result<Photo>,
+    engine: &dyn Engine,
+    progress: &dyn Progress,
+) -> Result<Masked> {
     let looked_at = frame::looked_at(&poses.photos, &poses.points)
         .ok_or_else(|| no_common_subject("cameras that look at no common point"))?;
     let graph = engine.load(prior::SCENE.verified()?)?;
@@ -258,8 +264,7 @@ fn masked(poses: &Poses, open: &dyn Fn(&Posed) -> Result<Photo>, engine: &dyn En
     progress.begin("masks", poses.photos.len() as u64);
     for (index, posed) in poses.photos.iter().enumerate() {
         progress.check()?;
-        let mut leave_out =
-            |why: String| photos.push(Used { name: posed.name.clone(), role: Role::LeftOut(why) });
+        let mut leave_out = |why: String| photos.push(Used { name: posed.name.clone(), role: Role::LeftOut(why) });
         let photo = straightened(open(posed)?, posed)?;
         let (w, h) = (f64::from(photo.pixels.width()), f64::from(photo.pixels.height()));
         let at = posed.pixel(looked_at).map(|[x, y]| {
@@ -296,6 +301,21 @@ fn masked(poses: &Poses, open: &dyn Fn(&Posed) -> Result<Photo>, engine: &dyn En
     }
 }
 
+/// More photos take more steps, and more time for them; what the masks took of it does not count.
+fn settings_for(settings: &Settings, photos: usize) -> Settings {
+    let more = |share: f64, most: f64| (photos as f64 / share).clamp(1.0, most);
+    match settings.optimise_within {
+        // Somebody named the number of steps, or wants all.
+        None => settings.clone(),
+        Some(limit) => Settings {
+            iterations: (f64::from(settings.iterations) * more(6.0, 6.0)) as u32,
+            optimise_within: Some(limit.mul_f64(more(4.0, 8.0))),
+            deadline: None,
+            ..settings.clone()
+        },
+    }
+}
+
 /// How well a photo suits the network: whole, large, and seen from 15° above, where most of its lessons were.
 fn fitness(crop: &Crop, subject: &Subject, longest: f64) -> f64 {
     let whole = if crop.cut_off { 0.2 } else { 1.0 };
@@ -319,7 +339,8 @@ fn straightened(photo: Photo, posed: &Posed) -> Result<Photo> {
         return Ok(photo);
     }
     let flat = |c: &image::GrayImage| image::DynamicImage::from(c.clone()).into_rgb8();
-    let cutout = photo.cutout.as_ref().map(|c| image::DynamicImage::from(posed.camera.undistorted(&flat(c))).into_luma8());
+    let cutout =
+        photo.cutout.as_ref().map(|c| image::DynamicImage::from(posed.camera.undistorted(&flat(c))).into_luma8());
     Ok(Photo { pixels: posed.camera.undistorted(&photo.pixels), cutout, ..photo })
 }
 
@@ -409,12 +430,8 @@ fn square_camera(posed: &Posed, photo: &Photo, view: &OneView, to_unit: &Similar
     );
     let size = view.mask.width;
     let k = size as f64 / f64::from(view.crop.width);
-    let inside = [
-        fx * gx * k,
-        fy * gy * k,
-        (cx * gx - f64::from(view.crop.x)) * k,
-        (cy * gy - f64::from(view.crop.y)) * k,
-    ];
+    let inside =
+        [fx * gx * k, fy * gy * k, (cx * gx - f64::from(view.crop.x)) * k, (cy * gy - f64::from(view.crop.y)) * k];
     camera(inside, (size, size), posed.rotation, posed.translation, to_unit)
 }
 

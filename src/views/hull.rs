@@ -82,9 +82,10 @@ impl Hull {
     pub fn carve(silhouettes: &[Silhouette], tolerated: f32) -> Hull {
         let allowed = |i: usize| {
             let p = centre(i);
-            let (seen, refused) = silhouettes.iter().filter_map(|s| s.allows(p)).fold((0, 0), |(seen, refused), allows| {
-                (seen + 1, refused + u32::from(!allows))
-            });
+            let (seen, refused) = silhouettes
+                .iter()
+                .filter_map(|s| s.allows(p))
+                .fold((0, 0), |(seen, refused), allows| (seen + 1, refused + u32::from(!allows)));
             seen >= 2 && refused as f32 <= tolerated * seen as f32
         };
         Hull { full: (0..CELLS.pow(3)).into_par_iter().map(allowed).collect() }

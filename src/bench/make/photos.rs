@@ -52,7 +52,9 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
         translation: DVec3::new(1.5, -0.4, 3.0),
     };
     let (mut files, mut listed, mut lines) = (Vec::new(), Vec::new(), Vec::new());
-    let mut put = |path: String, bytes: Vec<u8>, media_type| files.push(File { path: format!("{name}/{path}"), bytes, media_type });
+    let mut put = |path: String, bytes: Vec<u8>, media_type| {
+        files.push(File { path: format!("{name}/{path}"), bytes, media_type })
+    };
     let fov = 50f32.to_radians();
     // The same ground in every photo.
     let ground = Random::new(random.next());
@@ -93,7 +95,14 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
         let moved = -(rotation * to_world.apply(at));
         lines.push(format!(
             "{} {} {} {} {} {} {} {} 1 {k:02}.png\n\n",
-            k + 1, rotation.w, rotation.x, rotation.y, rotation.z, moved.x, moved.y, moved.z
+            k + 1,
+            rotation.w,
+            rotation.x,
+            rotation.y,
+            rotation.z,
+            moved.x,
+            moved.y,
+            moved.z
         ));
         if k == 0 {
             let c = &camera;
@@ -140,7 +149,8 @@ fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<Vec<u8>> {
         (Tag::GPSAltitude, Value::Rational(vec![rational(at.height, 1000)])),
         (Tag::GPSHPositioningError, Value::Rational(vec![rational(noise.max(0.01), 1000)])),
     ];
-    let fields: Vec<Field> = fields.into_iter().map(|(tag, value)| Field { tag, ifd_num: In::PRIMARY, value }).collect();
+    let fields: Vec<Field> =
+        fields.into_iter().map(|(tag, value)| Field { tag, ifd_num: In::PRIMARY, value }).collect();
     let mut writer = Writer::new();
     fields.iter().for_each(|f| writer.push_field(f));
     let mut out = std::io::Cursor::new(Vec::new());

@@ -13,8 +13,8 @@ use crate::export::ToMetres;
 use crate::geo::dem::{Dem, Fit};
 use crate::geo::scale::{ASSUMED_CAMERA_HEIGHT, By, Estimate, Hints, Measured};
 use crate::geo::{
-    self, AltDatum, Extents, Geodetic, HeadingSource, Height, Placement, Scale, ScaleSource, Uncertainty, View, footprint,
-    magnetic, sight,
+    self, AltDatum, Extents, Geodetic, HeadingSource, Height, Placement, Scale, ScaleSource, Uncertainty, View,
+    footprint, magnetic, sight,
 };
 use crate::models::depth::fit::Front;
 use crate::photo::{AltitudeAbove, Exif, Photo};
@@ -158,8 +158,17 @@ impl Placed {
                 "unit_to_enu",
                 format!(
                     "scale {} rotation xyzw {} {} {} {} translation {} {} {} about {} {} {}",
-                    t.scale, t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w, t.translation.x, t.translation.y,
-                    t.translation.z, o.latitude, o.longitude, o.height
+                    t.scale,
+                    t.rotation.x,
+                    t.rotation.y,
+                    t.rotation.z,
+                    t.rotation.w,
+                    t.translation.x,
+                    t.translation.y,
+                    t.translation.z,
+                    o.latitude,
+                    o.longitude,
+                    o.height
                 ),
             ));
         }
@@ -219,7 +228,11 @@ pub fn place(
     };
     if let Some(r) = &registration {
         warnings.extend(r.outliers().map(|o| {
-            format!("{} lies {:.1} m from where the others put it and is not used for the place", o.name, o.enu.length())
+            format!(
+                "{} lies {:.1} m from where the others put it and is not used for the place",
+                o.name,
+                o.enu.length()
+            )
         }));
     }
     let known = Uncertainty {

@@ -1,0 +1,114 @@
+//! `orb geo` and `orb reconstruct` of a folder of photos, from the outside, on photos whose truth is known.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+struct Bench {
+    folder: tempfile::TempDir,
+}
+
+impl Bench {
+    /// Nine photos of a van, with GPS and COLMAP's poses.
+    fn new(more: &[&str]) -> Bench {
+        let b = Bench { folder: tempfile::tempdir().unwrap() };
+        let sets = b.text("sets");
+        let args = ["bench", "make", "-o", &sets, "--scenes", "2", "--photos", "9", "--size", "256", "--quiet"];
+        b.good(&[&args[..], more].concat());
+        b
+    }
+    fn at(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+    fn text(&self, name: &str) -> String {
+        self.at(name).to_string_lossy().into_owned()
+    }
+    fn orb(&self, args: &[&str]) -> Output {
+        let data = self.at("data");
+        Command::new(env!("CARGO_BIN_EXE_orb"))
+            .args(args)
+            .env("ORB_DATA_DIR", data)
+            .current_dir(self.folder.path())
+            .output()
+            .unwrap()
+    }
+    fn good(&self, args: &[&str]) -> String {
+        let o = self.orb(args);
+        assert!(o.status.success(), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
+        String::from_utf8_lossy(&o.stdout).into_owned()
+    }
+    fn refused(&self, args: &[&str]) -> String {
+        let o = self.orb(args);
+        assert_eq!(o.status.code(), Some(2), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
+        String::from_utf8_lossy(&o.stderr).into_owned()
+    }
+}
+
+fn json(path: &Path) -> Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+fn record(folder: &Path) -> Value {
+    let envelope = json(&folder.join("orb-record.dsse.json"));
+    use base64::Engine;
+    let payload = base64::engine::general_purpose::STANDARD.decode(envelope["payload"].as_str().unwrap()).unwrap();
+    serde_json::from_slice(&payload).unwrap()
+}
+
+#[test]
+fn posed_photos_become_a_model_at_their_place_on_the_earth() {
+    let b = Bench::new(&["--gps-noise", "0.2"]);
+    let photos = b.text("sets/01_van/photos");
+    let made =
+        ["geo", &photos, "--format", "glb", "--iterations", "60", "--lods", "1", "--texture", "256", "--device", "cpu"];
+    let told: Value = serde_json::from_str(&b.good(&[&made[..], &["--json", "-o", "van"]].concat())).unwrap();
+    b.good(&["audit", "verify", "van"]);
+    let truth = json(&b.at("sets/01_van/truth/cameras.json"));
+    // The place: GPS of 0.2 m in nine photos, and a mesh whose middle is a little off.
+    let g = &told["georeference"];
+    let off = |name: &str, metres: f64| (g[name].as_f64().unwrap() - truth[name].as_f64().unwrap()) * metres;
+    let across = off("latitude", 111_200.0).hypot(off("longitude", 74_300.0));
+    assert!(across < 0.5 && off("ellipsoidal_height_m", 1.0).abs() < 0.8, "{g}");
+    assert_eq!(
+        (&g["heading_source"], &told["scale"]["source"]),
+        (&"georegistration".into(), &"georegistration".into())
+    );
+    // The reference looks along +Y: its true bearing is that of its axis to the origin, turned by the set's heading.
+    let p = &record(&b.at("van"))["predicate"];
+    let params = &p["params"];
+    let reference = params["reference_photo"].as_str().unwrap().trim_end_matches(".png").to_owned();
+    let view = truth["views"].as_array().unwrap().iter().find(|v| v["name"] == reference.as_str()).unwrap();
+    let row = |i: usize, k: usize| view["w2c_opencv"][i][k].as_f64().unwrap();
+    let eye = |k: usize| -(0..3).map(|i| row(i, k) * row(i, 3)).sum::<f64>();
+    let bearing = (-eye(0)).atan2(-eye(1)).to_degrees() + truth["heading_deg"].as_f64().unwrap();
+    let turned = (g["heading_deg"].as_f64().unwrap() - bearing + 540.0).rem_euclid(360.0) - 180.0;
+    assert!(turned.abs() < 4.0, "{turned}");
+    // The size: one unit of COLMAP's world is 2.70 m.
+    let said = params["world_to_unit"].as_str().unwrap();
+    let scale: f64 = said.split_whitespace().nth(1).unwrap().parse().unwrap();
+    let metres = told["scale"]["metres_per_unit"].as_f64().unwrap() * scale;
+    let ratio = metres / truth["metres_per_world_unit"].as_f64().unwrap();
+    assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
+    // Every photo and every file of poses is an input, by its hash; two photos of nine are held out.
+    let inputs = p["inputs"].as_array().unwrap();
+    assert_eq!(inputs.iter().filter(|i| i["role"] == "photo").count(), 9);
+    assert_eq!(inputs.iter().filter(|i| i["role"] == "poses").count(), 3);
+    let several = &told["several_photos"];
+    let (trained, held_out) = (&several["trained_on"], &several["held_out"]);
+    assert!(held_out["photos"].as_u64().unwrap() >= 1, "{several}");
+    assert!(trained["psnr_db"].as_f64().unwrap() > 25.0 && held_out["psnr_db"].as_f64().unwrap() > 20.0, "{several}");
+    assert!(held_out["silhouette_iou"].as_f64().unwrap() > 0.85, "{several}");
+
+    // Without poses, without a place, with what only one photo can use.
+    let alone = b.text("alone");
+    std::fs::create_dir(&alone).unwrap();
+    for name in ["01.png", "02.png"] {
+        std::fs::copy(b.at("sets/01_van/photos").join(name), b.at("alone").join(name)).unwrap();
+    }
+    assert!(b.refused(&["geo", &alone]).contains("poses of the photos"));
+    assert!(b.refused(&["geo", &photos, "--mask", "x.png"]).contains("--mask"));
+    assert!(b.refused(&["geo", &b.text("alone/01.png"), "--poses", "x"]).contains("--poses"));
+    std::fs::remove_file(b.at("alone/02.png")).unwrap();
+    assert!(b.refused(&["reconstruct", &alone]).contains("at least two photos"));
+}
