@@ -3,6 +3,7 @@
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
 pub mod several;
+pub mod unposed;
 
 use std::time::{Duration, Instant};
 
@@ -331,15 +332,17 @@ fn optimise(
         ..view(format!("{NORMALS} {}", i + 1), v, 0.1)
     }));
     targets.extend(views.between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
-    trained(fitter, &prior.gaussians, &targets, settings, progress)
+    trained(fitter, &prior.gaussians, &targets, settings, None, progress)
 }
 
-/// The optimisation, in as many steps as the settings and the time allow.
+/// The optimisation, in as many steps as the settings and the time allow. `pose_rate`: how fast poses are learnt, radians a step,
+/// where not as usual.
 fn trained(
     fitter: splat::Engine,
     start: &Gaussians,
     targets: &[Target],
     settings: &Settings,
+    pose_rate: Option<f32>,
     progress: &dyn Progress,
 ) -> Result<splat::Trained> {
     progress.begin("optimisation", 0);
@@ -353,8 +356,9 @@ fn trained(
         }
         (None, None) => wanted,
     };
-    let options =
+    let mut options =
         splat::Options { seed: settings.seed, deadline: settings.deadline, ..splat::Options::scaled(iterations) };
+    options.rates.pose = pose_rate.unwrap_or(options.rates.pose);
     splat::train::train_kept(fitter, start.clone(), targets, &options, &settings.kept, progress)
 }
 

@@ -10,11 +10,11 @@ struct Bench {
 }
 
 impl Bench {
-    /// Nine photos of a van, with GPS and COLMAP's poses.
-    fn new(more: &[&str]) -> Bench {
+    /// Photos of a van, so many pixels across, with GPS and, if nothing is said, COLMAP's poses.
+    fn new(photos: &str, size: &str, more: &[&str]) -> Bench {
         let b = Bench { folder: tempfile::tempdir().unwrap() };
         let sets = b.text("sets");
-        let args = ["bench", "make", "-o", &sets, "--scenes", "2", "--photos", "9", "--size", "256", "--quiet"];
+        let args = ["bench", "make", "-o", &sets, "--scenes", "2", "--photos", photos, "--size", size, "--quiet"];
         b.good(&[&args[..], more].concat());
         b
     }
@@ -58,7 +58,7 @@ fn record(folder: &Path) -> Value {
 
 #[test]
 fn posed_photos_become_a_model_at_their_place_on_the_earth() {
-    let b = Bench::new(&["--gps-noise", "0.2"]);
+    let b = Bench::new("9", "256", &["--gps-noise", "0.2"]);
     let photos = b.text("sets/01_van/photos");
     let made =
         ["geo", &photos, "--format", "glb", "--iterations", "60", "--lods", "1", "--texture", "256", "--device", "cpu"];
@@ -100,15 +100,47 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     assert!(trained["psnr_db"].as_f64().unwrap() > 25.0 && held_out["psnr_db"].as_f64().unwrap() > 20.0, "{several}");
     assert!(held_out["silhouette_iou"].as_f64().unwrap() > 0.85, "{several}");
 
-    // Without poses, without a place, with what only one photo can use.
+    // Without poses, with what only one photo can use, one photo in a folder.
     let alone = b.text("alone");
     std::fs::create_dir(&alone).unwrap();
-    for name in ["01.png", "02.png"] {
-        std::fs::copy(b.at("sets/01_van/photos").join(name), b.at("alone").join(name)).unwrap();
+    for i in 1..7 {
+        let name = format!("{i:02}.png");
+        std::fs::copy(b.at("sets/01_van/photos").join(&name), b.at("alone").join(&name)).unwrap();
     }
     assert!(b.refused(&["geo", &alone]).contains("poses of the photos"));
     assert!(b.refused(&["geo", &photos, "--mask", "x.png"]).contains("--mask"));
     assert!(b.refused(&["geo", &b.text("alone/01.png"), "--poses", "x"]).contains("--poses"));
-    std::fs::remove_file(b.at("alone/02.png")).unwrap();
+    for i in 2..7 {
+        std::fs::remove_file(b.at("alone").join(format!("{i:02}.png"))).unwrap();
+    }
     assert!(b.refused(&["reconstruct", &alone]).contains("at least two photos"));
+}
+
+#[test]
+fn colmap_finds_the_poses_of_photos_that_have_none() {
+    if Command::new("colmap").arg("help").env("QT_QPA_PLATFORM", "offscreen").output().is_err() {
+        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "colmap is missing: apt-get install colmap");
+        eprintln!("skipped: no colmap on this machine");
+        return;
+    }
+    let b = Bench::new("16", "400", &["--gps-noise", "0.1", "--no-poses"]);
+    let photos = b.text("sets/01_van/photos");
+    let made = ["reconstruct", &photos, "--sfm", "colmap", "--iterations", "40", "--device", "cpu", "-o", "van"];
+    let told = b.good(&made);
+    assert!(told.contains("COLMAP 3") && told.contains("held out"), "{told}");
+    b.good(&["audit", "verify", "van"]);
+    let p = &record(&b.at("van"))["predicate"];
+    let model = p["models"].as_array().unwrap().iter().find(|m| m["id"] == "colmap").unwrap();
+    assert!(model["version"].as_str().unwrap().starts_with("COLMAP"), "{model}");
+    assert!(p["params"]["sfm_commands"].as_str().unwrap().contains("mapper --database_path WORK/database.db"));
+    assert_eq!(p["inputs"].as_array().unwrap().iter().filter(|i| i["role"] == "poses").count(), 3);
+    assert!(p["params"]["photos_posed"].as_i64().unwrap() >= 14, "{told}");
+
+    // Two photos of an even wall share nothing.
+    std::fs::create_dir(b.at("wall")).unwrap();
+    for name in ["a.png", "b.png"] {
+        image::RgbImage::from_pixel(80, 60, image::Rgb([90, 90, 90])).save(b.at("wall").join(name)).unwrap();
+    }
+    let e = b.refused(&["reconstruct", &b.text("wall"), "--sfm", "colmap", "-o", "w"]);
+    assert!(e.contains("overlap"), "{e}");
 }

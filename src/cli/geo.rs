@@ -258,7 +258,7 @@ fn decimal_year(reading: &time::TimeReading) -> f64 {
 fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<u8> {
     let started = Instant::now();
     let mut plan = plan(args)?;
-    let front = Front::open(&plan.photo, &args.photos)?;
+    let mut front = Front::open(&plan.photo, &args.photos)?;
     if front.one().is_none() {
         args.networks.check_built_in()?;
     }
@@ -296,6 +296,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
     let bar = Bar::new(stop, args.publish.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+    front.pose(&args.photos, &bar)?;
     let chosen = match front.one() {
         Some(photo) => networks::choose(&args.networks, photo, args.seed, &data, &mut say)?,
         None => networks::Chosen { sources: Sources::default(), inputs: Vec::new() },
@@ -351,7 +352,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         event_type: "scene.generate",
         time: reading,
         inputs: [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone()].concat(),
-        models: models(&done.sources, &done.report.device),
+        models: models(&done.sources, &done.report.device, front.colmap()),
         params: {
             let mut all = params(args, &settings, &done, &placed, &plan.catalogue, line);
             all.extend(front.params(done.several.as_ref()));
@@ -394,7 +395,8 @@ pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 /// `device`: where the Gaussians were optimised.
-pub(super) fn models(outcome: &Outcome, device: &str) -> Vec<Model> {
+/// `colmap`: its version, where it ran.
+pub(super) fn models(outcome: &Outcome, device: &str, colmap: Option<&str>) -> Vec<Model> {
     let mut all = Vec::from(
         [&prior::SCENE, &prior::SPLAT]
             .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
@@ -412,7 +414,17 @@ pub(super) fn models(outcome: &Outcome, device: &str) -> Vec<Model> {
     });
     let papers = [("sam2", &outcome.mask), ("depth-anything-v2", &outcome.depth), ("zero123pp", &outcome.views)];
     all.extend(papers.iter().filter(|(_, ran)| ran.is_none()).map(|(id, _)| record::model_not_used(id)));
-    all.extend(["gsplat", "colmap"].map(record::model_not_used));
+    all.push(record::model_not_used("gsplat"));
+    all.push(match colmap {
+        None => record::model_not_used("colmap"),
+        Some(version) => Model {
+            status: None,
+            version: Some(version.into()),
+            runtime: Some("cpu".into()),
+            pin_source: Some("program of this machine".into()),
+            ..record::model_not_used("colmap")
+        },
+    });
     all
 }
 

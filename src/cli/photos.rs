@@ -1,8 +1,9 @@
 //! What a reconstruction begins with: one photo, or a folder of them with its options, its poses, its places on the Earth.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use glam::DVec3;
 
 use super::marking;
@@ -12,15 +13,17 @@ use crate::geo::{AltDatum, Geodetic, to_ellipsoid};
 use crate::models::Rten;
 use crate::photo::{self, AltitudeAbove, Exif, Photo};
 use crate::photos::register::{self, Fix};
-use crate::photos::{Posed, Poses, poses};
+use crate::photos::{Posed, Poses, control, poses, sfm};
 use crate::pipeline::several::{self, Options, Role, Scores, Several};
-use crate::pipeline::{self, Fitted, Settings};
+use crate::pipeline::{self, Fitted, Settings, unposed};
 use crate::progress::Progress;
 use crate::sources::Sources;
 use crate::{Error, Result, splat};
 
 /// What a receiver in a camera or drone is good to where the photo does not say.
 const GNSS_SIGMA: f64 = 5.0;
+/// Found on the path.
+const COLMAP: &str = "colmap";
 /// Up is taken from the Earth where it is known as well as this, degrees; else from the photos.
 const UP_SIGMA: f64 = 1.0;
 
@@ -32,9 +35,24 @@ pub struct PhotosArgs {
     #[arg(long, value_name = "PATH", help_heading = "Several photos")]
     pub poses: Option<PathBuf>,
 
+    /// Compute the poses by an installed program.
+    #[arg(long, value_enum, conflicts_with = "poses", help_heading = "Several photos")]
+    pub sfm: Option<Sfm>,
+
+    /// Ground control points: a CSV file with the columns point, latitude, longitude, height, photo, x, y and, if known, sigma
+    /// (metres).
+    #[arg(long, value_name = "FILE", help_heading = "Several photos")]
+    pub gcp: Option<PathBuf>,
+
     /// Refine the cameras' poses while the Gaussians are optimised.
     #[arg(long, help_heading = "Several photos")]
     pub refine_poses: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Sfm {
+    /// The `colmap` program, on the CPU.
+    Colmap,
 }
 
 impl PhotosArgs {
@@ -43,23 +61,17 @@ impl PhotosArgs {
     /// # Errors
     /// Usage.
     pub fn check_unused(&self) -> Result<()> {
-        match (&self.poses, self.refine_poses) {
-            (Some(_), _) => Err("--poses"),
-            (_, true) => Err("--refine-poses"),
-            _ => Ok(()),
+        let given = [
+            ("--poses", self.poses.is_some()),
+            ("--sfm", self.sfm.is_some()),
+            ("--gcp", self.gcp.is_some()),
+            ("--refine-poses", self.refine_poses),
+        ];
+        match given.iter().find(|(_, given)| *given) {
+            Some((option, _)) => Err(Error::usage(*option).expected("a folder of photos").found("one photo")),
+            None => Ok(()),
         }
-        .map_err(|option| Error::usage(option).expected("a folder of photos").found("one photo"))
     }
-}
-
-/// Photos that were read once, for the record, and their poses.
-pub struct Folder {
-    pub poses: Poses,
-    /// Every photo with a pose, and the files that say the poses.
-    pub inputs: Vec<Input>,
-    pub carried: Vec<Option<Marking>>,
-    /// By photo of the poses.
-    pub exif: Vec<Exif>,
 }
 
 /// One photo, or a folder of them: read, but nothing made of it yet.
@@ -97,7 +109,9 @@ impl Front {
         match self {
             Front::One { photo, .. } => &photo.exif,
             Front::Several(f) => {
-                f.exif.iter().find(|e| e.position.is_some_and(|p| p.altitude.is_some())).unwrap_or(&f.exif[0])
+                let mut all = f.exif.values();
+                let placed = |e: &&Exif| e.position.is_some_and(|p| p.altitude.is_some());
+                all.clone().find(placed).or(all.next()).unwrap_or(&f.nothing)
             }
         }
     }
@@ -114,6 +128,26 @@ impl Front {
         match self {
             Front::One { carried, .. } => carried,
             Front::Several(folder) => &folder.carried,
+        }
+    }
+
+    /// Finds the poses where nobody gave them. Takes its time: the output folder was looked at before.
+    ///
+    /// # Errors
+    /// As [`sfm::run`] and [`unposed::search`].
+    pub fn pose(&mut self, args: &PhotosArgs, progress: &dyn Progress) -> Result<()> {
+        match (self, args.sfm) {
+            (Front::Several(folder), Some(Sfm::Colmap)) => folder.run_colmap(progress),
+            (Front::Several(folder), None) if folder.poses.is_none() => folder.search(progress),
+            _ => Ok(()),
+        }
+    }
+
+    /// The version of COLMAP, where it ran.
+    pub fn colmap(&self) -> Option<&str> {
+        match self {
+            Front::One { .. } => None,
+            Front::Several(folder) => folder.ran.as_ref().map(|r| r.version.as_str()),
         }
     }
 
@@ -147,9 +181,10 @@ impl Front {
                 Ok(((**photo).clone(), fitted))
             }
             Front::Several(folder) => {
-                let options = options(args, fixes, settings.seed);
-                let photo = |posed: &Posed| folder.photo(posed);
-                several::fit(&folder.poses, &photo, &Rten, fitter, settings, &options, progress)
+                let options = Options { searched: folder.searched, ..options(args, fixes, settings.seed) };
+                let options = Options { refine_poses: options.refine_poses || folder.searched, ..options };
+                let photo = |posed: &Posed| folder.recorded(&posed.file);
+                several::fit(folder.posed()?, &photo, &Rten, fitter, settings, &options, progress)
             }
         }
     }
@@ -157,7 +192,7 @@ impl Front {
     /// For the record.
     pub fn params(&self, done: Option<&Several>) -> Vec<(String, Param)> {
         match (self, done) {
-            (Front::Several(folder), Some(s)) => params(&folder.poses, s),
+            (Front::Several(folder), Some(s)) => folder.params(s),
             _ => Vec::new(),
         }
     }
@@ -165,7 +200,7 @@ impl Front {
     /// For a person.
     pub fn lines(&self, done: Option<&Several>) -> Vec<(&'static str, String)> {
         match (self, done) {
-            (Front::Several(folder), Some(s)) => lines(&folder.poses, s),
+            (Front::Several(folder), Some(s)) => folder.poses.as_ref().map(|p| lines(p, s)).unwrap_or_default(),
             _ => Vec::new(),
         }
     }
@@ -175,63 +210,174 @@ fn name_of(path: &Path) -> String {
     path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
-/// Finds the poses, reads every file that goes in.
+/// Photos that were read once, for the record, and their poses.
+pub struct Folder {
+    files: Vec<PathBuf>,
+    /// By the photos' names.
+    exif: BTreeMap<String, Exif>,
+    nothing: Exif,
+    /// Every photo that goes in, and the files that say poses and control points.
+    inputs: Vec<Input>,
+    carried: Vec<Option<Marking>>,
+    poses: Option<Poses>,
+    ran: Option<sfm::Run>,
+    /// The poses were searched, and say nothing of lenses and lengths.
+    searched: bool,
+    /// Name and text of the control points.
+    control: Option<(String, String)>,
+}
+
+/// Reads every file that goes in, and the poses where somebody gave them.
 ///
 /// # Errors
 /// As [`poses::find`]; a photo or marking that cannot be read.
 fn open(folder: &Path, args: &PhotosArgs) -> Result<Folder> {
-    let Some(found) = poses::find(folder, args.poses.as_deref())? else {
-        return Err(Error::usage(folder.display().to_string())
-            .expected("poses of the photos: a COLMAP model (sparse/0) or transforms.json in the folder or beside it")
-            .found("none")
-            .advice("Give --poses PATH."));
+    let (poses, files) = match args.sfm {
+        Some(Sfm::Colmap) => {
+            sfm::version(Path::new(COLMAP))?;
+            (None, poses::photos_in(folder)?)
+        }
+        None => {
+            let files = poses::photos_in(folder)?;
+            match poses::find(folder, args.poses.as_deref())? {
+                Some(found) => {
+                    let files = found.photos.iter().map(|p| p.file.clone()).collect();
+                    (Some(found), files)
+                }
+                None if files.len() <= unposed::MOST => (None, files),
+                None => return Err(Error::usage(folder.display().to_string())
+                    .expected(
+                        "poses of the photos: a COLMAP model (sparse/0) or transforms.json in the folder or beside it",
+                    )
+                    .found("none")
+                    .advice("Give --poses PATH, or let COLMAP compute them: --sfm colmap.")),
+            }
+        }
     };
     let limits = photo::Limits::default();
-    let (mut inputs, mut carried, mut exif) = (Vec::new(), Vec::new(), Vec::new());
-    for posed in &found.photos {
-        let bytes = super::geo::read_photo(&posed.file, limits.file_bytes)?;
-        let (tags, media_type) = photo::metadata(&posed.name, &bytes, &limits)?;
-        let marked = marking::carried(&posed.name, &bytes)?;
-        inputs.push(record::input(&posed.name, &bytes, media_type, "photo", marked.clone()));
+    let (mut inputs, mut carried, mut exif) = (Vec::new(), Vec::new(), BTreeMap::new());
+    for file in &files {
+        let name = name_of(file);
+        let bytes = super::geo::read_photo(file, limits.file_bytes)?;
+        let (tags, media_type) = photo::metadata(&name, &bytes, &limits)?;
+        let marked = marking::carried(&name, &bytes)?;
+        inputs.push(record::input(&name, &bytes, media_type, "photo", marked.clone()));
         carried.push(marked);
-        exif.push(tags);
+        exif.insert(name, tags);
     }
-    for file in &found.files {
+    if let Some(p) = &poses {
+        inputs.extend(pose_inputs(&p.files)?);
+    }
+    let control = match &args.gcp {
+        None => None,
+        Some(path) => {
+            let bytes =
+                std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the control points' path."))?;
+            let name = name_of(path);
+            inputs.push(record::input(&name, &bytes, "text/csv", "control-points", None));
+            let text = String::from_utf8(bytes)
+                .map_err(|e| Error::usage(&name).expected("UTF-8 text").found(e.utf8_error().to_string()))?;
+            Some((name, text))
+        }
+    };
+    Ok(Folder { files, exif, nothing: Exif::default(), inputs, carried, poses, ran: None, searched: false, control })
+}
+
+fn pose_inputs(files: &[PathBuf]) -> Result<Vec<Input>> {
+    let of = |file: &PathBuf| {
         let bytes = std::fs::read(file).map_err(|e| Error::io(file, &e))?;
         let name = name_of(file);
         let media_type = if name.ends_with(".json") { "application/json" } else { "application/octet-stream" };
-        inputs.push(record::input(&name, &bytes, media_type, "poses", None));
-    }
-    Ok(Folder { poses: found, inputs, carried, exif })
+        Ok(record::input(&name, &bytes, media_type, "poses", None))
+    };
+    files.iter().map(of).collect()
 }
 
 impl Folder {
-    /// The photo of a pose, its rows as the file has them.
+    /// The poses.
+    ///
+    /// # Errors
+    /// Environment where nobody has found any yet.
+    fn posed(&self) -> Result<&Poses> {
+        self.poses.as_ref().ok_or_else(|| Error::environment("photos").expected("poses").found("none"))
+    }
+
+    fn run_colmap(&mut self, progress: &dyn Progress) -> Result<()> {
+        let work = std::env::temp_dir().join(format!("orb-colmap-{}", std::process::id()));
+        let folder = self.files.first().and_then(|f| f.parent()).unwrap_or(Path::new(".")).to_owned();
+        let shared = self.shared()?;
+        let (poses, inputs, ran) = sfm::run(Path::new(COLMAP), &self.files, shared, &work, progress, |run| {
+            let found = poses::find(&folder, Some(&run.models))?
+                .ok_or_else(|| Error::usage("--sfm colmap").expected("a model").found("none"))?;
+            let inputs = pose_inputs(&found.files)?;
+            Ok((Poses { source: format!("{}, run on the photos", run.version), ..found }, inputs, run.clone()))
+        })?;
+        self.inputs.extend(inputs);
+        (self.poses, self.ran) = (Some(poses), Some(ran));
+        Ok(())
+    }
+
+    fn search(&mut self, progress: &dyn Progress) -> Result<()> {
+        let photo = |file: &PathBuf| self.recorded(file);
+        let found = unposed::search(&self.files, &photo, &Rten, progress)?;
+        (self.poses, self.searched) = (Some(found), true);
+        Ok(())
+    }
+
+    /// Whether one camera took all photos, with one zoom.
+    fn shared(&self) -> Result<sfm::Shared> {
+        let mut all = Vec::new();
+        for file in &self.files {
+            let size = image::image_dimensions(file)
+                .map_err(|e| Error::usage(file.display().to_string()).expected("a photo").found(e.to_string()))?;
+            all.push((size, self.exif.get(&name_of(file)).and_then(|e| e.focal_35mm)));
+        }
+        let Some(&((w, h), focal)) = all.first() else { return Ok(None) };
+        let pixels = focal.map(|f| f * f64::from(w).hypot(f64::from(h)) / 43.266_615);
+        Ok(all.iter().all(|a| *a == all[0]).then_some((w, h, pixels)))
+    }
+
+    /// For the record.
+    fn params(&self, s: &Several) -> Vec<(String, Param)> {
+        let mut all = self.poses.as_ref().map(|p| params(p, s)).unwrap_or_default();
+        if let Some(ran) = &self.ran {
+            all.push(("sfm_program".into(), Param::Text(record::printable(&ran.version))));
+            all.push(("sfm_commands".into(), Param::Text(record::printable(&ran.commands.join("; ")))));
+        }
+        all
+    }
+
+    /// The photo of a file, its rows as the file has them.
     ///
     /// # Errors
     /// As [`photo::decode_as_stored`]; integrity where the file is another than the one that was recorded.
-    pub fn photo(&self, posed: &Posed) -> Result<Photo> {
+    fn recorded(&self, file: &Path) -> Result<Photo> {
         let limits = photo::Limits::default();
-        let bytes = super::geo::read_photo(&posed.file, limits.file_bytes)?;
-        let (photo, _) = photo::decode_as_stored(&posed.name, &bytes, &limits)?;
-        let recorded = self.inputs.iter().find(|i| i.role == "photo" && i.name == record::printable(&posed.name));
+        let name = name_of(file);
+        let bytes = super::geo::read_photo(file, limits.file_bytes)?;
+        let (photo, _) = photo::decode_as_stored(&name, &bytes, &limits)?;
+        let recorded = self.inputs.iter().find(|i| i.role == "photo" && i.name == record::printable(&name));
         match recorded {
             Some(i) if i.sha256 == hex::encode(photo.sha256) => Ok(photo),
-            _ => Err(Error::new(crate::Kind::Integrity, posed.file.display().to_string())
+            _ => Err(Error::new(crate::Kind::Integrity, file.display().to_string())
                 .expected("the photo as it was when the run began")
                 .found("another")),
         }
     }
 
-    /// The photos' places on the Earth, as their receivers wrote them. `datum` is what altitudes are above where the photo
+    /// The photos' places on the Earth, as their receivers wrote them, and the control points. `datum` is what altitudes are above where the photo
     /// does not say it.
     ///
     /// # Errors
     /// As [`to_ellipsoid`].
     pub fn fixes(&self, datum: Option<AltDatum>) -> Result<Vec<Fix>> {
         let mut out = Vec::new();
-        for (posed, exif) in self.poses.photos.iter().zip(&self.exif) {
-            let Some(p) = exif.position else { continue };
+        let photos = &self.posed()?.photos;
+        if self.searched {
+            return Ok(out);
+        }
+        for posed in photos {
+            let Some(p) = self.exif.get(&posed.name).and_then(|e| e.position) else { continue };
             let Some(altitude) = p.altitude else { continue };
             let own = if p.altitude_above == AltitudeAbove::Ellipsoid { AltDatum::Ellipsoid } else { AltDatum::Msl };
             let datum = datum.filter(|d| *d != AltDatum::Ground).unwrap_or(own);
@@ -247,6 +393,10 @@ impl Folder {
                 control: false,
             });
         }
+        if let Some((name, text)) = &self.control {
+            let datum = datum.filter(|d| *d != AltDatum::Ground).unwrap_or(AltDatum::Ellipsoid);
+            out.extend(control::read(name, text, photos, datum)?);
+        }
         Ok(out)
     }
 }
@@ -254,7 +404,7 @@ impl Folder {
 /// What the pipeline is told.
 fn options(args: &PhotosArgs, fixes: &[Fix], seed: u64) -> Options {
     let up: Option<DVec3> = register::up(fixes, seed).filter(|(_, sigma)| *sigma < UP_SIGMA).map(|(up, _)| up);
-    Options { refine_poses: args.refine_poses, up }
+    Options { refine_poses: args.refine_poses, up, searched: false }
 }
 
 fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {

@@ -50,7 +50,7 @@ pub struct Reconstruct {
 /// Errors: as `orb geo`.
 pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     let started = Instant::now();
-    let front = Front::open(&args.photo, &args.photos)?;
+    let mut front = Front::open(&args.photo, &args.photos)?;
     let kept = args.kept.open()?;
     let handling = args.publish.marking.decide(front.carried(), &time::now()?.utc())?;
     let product = handling.marking.clone();
@@ -79,6 +79,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     };
     let bar = Bar::new(stop, args.publish.quiet);
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
+    front.pose(&args.photos, &bar)?;
     let fixes = front.fixes(None)?;
     let (photo, done) = front.fit(&Sources::default(), &args.photos, &fixes, fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
@@ -92,7 +93,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         event_type: "scene.reconstruct",
         time: time::now()?,
         inputs: front.inputs().to_vec(),
-        models: geo::models(&done.sources, &report.device),
+        models: geo::models(&done.sources, &report.device, front.colmap()),
         params: BTreeMap::from([
             ("seed".into(), Param::Text(args.seed.to_string())),
             ("device".into(), Param::Text(report.device.clone())),

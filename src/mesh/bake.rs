@@ -121,14 +121,17 @@ pub fn bake(
     let mut from = vec![[0.0; 2]; texels.len()];
     // What is laid on later wins: the photo over its mirror image.
     for mirrored in [true, false] {
-        for photo in photos.iter().filter(|p| p.mirrored == mirrored && p.camera.width > 0 && p.camera.height > 0) {
-            let seen = visibility(&mesh.positions, &mesh.triangles, &photo.camera);
-            let laid = with_photo(&texels, &colors, &photo_source(photo, &seen, &linear));
-            for ((color, from), (new, share)) in colors.iter_mut().zip(&mut from).zip(laid) {
-                *color = new;
-                *from = from.map(|f| f * (1.0 - share));
-                from[usize::from(mirrored)] += share;
-            }
+        let shown = photos.iter().filter(|p| p.mirrored == mirrored && p.camera.width > 0 && p.camera.height > 0);
+        let source = |p: &PhotoView| photo_source(p, &visibility(&mesh.positions, &mesh.triangles, &p.camera), &linear);
+        let sources: Vec<Source> = shown.map(source).collect();
+        if sources.is_empty() {
+            continue;
+        }
+        let laid = with_photos(&texels, &colors, &sources);
+        for ((color, from), (new, share)) in colors.iter_mut().zip(&mut from).zip(laid) {
+            *color = new;
+            *from = from.map(|f| f * (1.0 - share));
+            from[usize::from(mirrored)] += share;
         }
     }
     let mut baked = Baked { size, color: vec![[0.0; 3]; size * size], from: vec![[-1.0; 2]; size * size] };
@@ -149,19 +152,29 @@ fn from_views(texels: &[Texel], sums: &[[f32; 4]]) -> Vec<[f32; 3]> {
     texels.par_iter().zip(sums).map(|(t, s)| mean(s).unwrap_or_else(|| unseen.at(t.position))).collect()
 }
 
-/// Colours and the photo's share in them. Where the photo ends, its ratio to the views fades out over the
+/// What photos show of a texel and how far it may be trusted. Of several, the one that looks at it most squarely all but
+/// decides.
+fn shown(texel: &Texel, sources: &[Source]) -> ([f32; 3], f32) {
+    let one = |source: &Source| {
+        let (at, straight) = source.sees(texel)?;
+        let (color, trust) = source.at(at);
+        Some((color, trust * smoothstep(0.15, 0.38, straight), straight))
+    };
+    let mut all = sources.iter().filter_map(one).filter(|(_, share, _)| *share > 0.0);
+    let Some((first, mut most, straight)) = all.next() else { return ([0.0; 3], 0.0) };
+    let (mut color, mut sum, mut only) = (first.map(|c| c * most * straight.powi(8)), most * straight.powi(8), true);
+    for (c, share, straight) in all {
+        let weight = share * straight.powi(8);
+        color = std::array::from_fn(|k| color[k] + weight * c[k]);
+        (sum, most, only) = (sum + weight, most.max(share), false);
+    }
+    if only { (first, most) } else { (color.map(|c| c / sum.max(1e-12)), most) }
+}
+
+/// Colours and the photos' share in them. Where the photos end, their ratio to the views fades out over the
 /// neighbourhood (a few twentieths of the unit), so that no edge shows.
-fn with_photo(texels: &[Texel], around: &[[f32; 3]], source: &Source) -> Vec<([f32; 3], f32)> {
-    let seen: Vec<([f32; 3], f32)> = texels
-        .par_iter()
-        .map(|texel| match source.sees(texel) {
-            Some((at, straight)) => {
-                let (color, trust) = source.at(at);
-                (color, trust * smoothstep(0.15, 0.38, straight))
-            }
-            None => ([0.0; 3], 0.0),
-        })
-        .collect();
+fn with_photos(texels: &[Texel], around: &[[f32; 3]], sources: &[Source]) -> Vec<([f32; 3], f32)> {
+    let seen: Vec<([f32; 3], f32)> = texels.par_iter().map(|texel| shown(texel, sources)).collect();
     let known = texels.iter().zip(around).zip(&seen).filter(|(_, (_, share))| *share > 0.8);
     /// Beside black, ratios say little.
     const DARK: f32 = 0.02;

@@ -4,10 +4,12 @@
 //! (Gaussians to begin with). `pipeline::several` reads like this line.
 
 pub mod colmap;
+pub mod control;
 pub mod crops;
 pub mod frame;
 pub mod poses;
 pub mod register;
+pub mod sfm;
 pub mod start;
 pub mod transforms;
 

@@ -60,6 +60,9 @@ const OUTLIER: f64 = 3.5;
 /// Residuals may be this part of what their deviations say, not less: the median of few is often small by chance.
 const LEAST_DEVIATION: f64 = 0.5;
 
+/// Nor are many believed to be better than this part of what they say.
+const BELIEVED: f64 = 0.1;
+
 /// The fixes in east, north, up of the median place.
 struct Local {
     origin: Geodetic,
@@ -204,7 +207,7 @@ fn known(fixes: &[Fix], pairs: &[Pair], s: &Similarity, kept: &[bool], turn: Tur
     // Many residuals know their own size; few are believed only where they are larger than was said.
     let free = 3.0 * n - unknowns;
     let unit = if free > 0.0 { square / free } else { 1.0 };
-    let factor = if free < 9.0 { unit.max(1.0) } else { unit.max(LEAST_DEVIATION.powi(2)) };
+    let factor = if free < 9.0 { unit.max(1.0) } else { unit.max(BELIEVED.powi(2)) };
     let sigma = |i: usize| (variance(i) * factor).sqrt();
     Known {
         middle,

@@ -33,6 +33,8 @@ const AGREES: f32 = 0.5;
 const ENOUGH_FOR_A_HULL: usize = 5;
 /// Degrees: a view of the network further from every photo than this stands in for what no photo shows.
 const UNSEEN: f32 = 50.0;
+/// Radians a step, for poses that were only searched.
+const SEARCHED_POSE_RATE: f32 = 5e-4;
 /// Photos that colour and thin parts are taken from, at most.
 const PAINTING: usize = 16;
 
@@ -43,6 +45,8 @@ pub struct Options {
     pub refine_poses: bool,
     /// Up in the cameras' world, where the Earth says it.
     pub up: Option<DVec3>,
+    /// The poses were searched: focal lengths stand for no lens, and refinement has further to go.
+    pub searched: bool,
 }
 
 /// What became of a photo.
@@ -81,8 +85,8 @@ pub struct Several {
     pub ground: Option<Ground>,
     /// The photo that the frame's +Y and the network's Gaussians are of: its index in the poses.
     pub reference: usize,
-    /// Focal length of the reference, pixels of its photo.
-    pub reference_focal: f64,
+    /// Focal length of the reference, pixels of its photo, where the poses are measured ones.
+    pub reference_focal: Option<f64>,
     /// How the network's Gaussians meet all masks, after they were brought into the posed frame.
     pub network_iou: f32,
     /// Gaussians from the network, from the masks' common body, from the sparse points.
@@ -183,7 +187,8 @@ pub fn fit(
         name: format!("{VIEW} {}", i + 1),
     }));
     let settings = &settings_for(settings, training.len());
-    let trained = super::trained(fitter, &one_view.gaussians, &targets, settings, progress)?;
+    let rate = options.searched.then_some(SEARCHED_POSE_RATE);
+    let trained = super::trained(fitter, &one_view.gaussians, &targets, settings, rate, progress)?;
     clock.lap("optimisation");
 
     let scores = |of_held_out: bool| {
@@ -195,7 +200,7 @@ pub fn fit(
         up_by,
         ground,
         reference: best.index,
-        reference_focal: posed_focal(reference, &best.photo),
+        reference_focal: (!options.searched).then(|| posed_focal(reference, &best.photo)),
         network_iou,
         started_from,
         trained: scores(false),

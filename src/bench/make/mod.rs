@@ -70,7 +70,7 @@ pub fn scene(index: usize, options: &Options, marking: &Marking) -> Result<(Stri
         files.push(File { path: format!("{name}/{path}"), bytes, media_type });
     };
     let cut = rgba(&mesh, &texture, &photo);
-    let outdoor = surroundings::behind(&cut, &photo, &mesh, &mut random);
+    let outdoor = surroundings::behind(&cut, &photo, &mesh, &mut random, 0.0);
     put("photo.png".into(), png(outdoor.into())?, "image/png");
     put("mask.png".into(), png(mask(&cut).into())?, "image/png");
     listed.push(entry("mask", "photo", "mask.png", &photo));

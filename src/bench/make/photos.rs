@@ -61,13 +61,13 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
     for k in 0..options.count {
         let azimuth = 360.0 * k as f32 / options.count as f32 + 4.0 * random.normal();
         let elevation = [14.0, 26.0, 38.0][k % 3] + 2.0 * random.normal();
-        let distance = (1.25 + 0.1 * random.normal()).clamp(1.05, 1.5) * radius / (fov * 0.375).sin();
+        let distance = (1.0 + 0.06 * random.normal()).clamp(0.9, 1.2) * radius / (fov * 0.375).sin();
         let aim = middle + 0.08 * radius * Vec3::new(random.normal(), random.normal(), random.normal());
         let square = Camera::look_at(middle + views::eye(azimuth, elevation, distance), aim, fov, options.width);
         let height = options.width * 3 / 4;
         let camera = Camera { height, cy: height as f32 / 2.0, ..square };
         let cut = rgba(&mesh, &texture, &camera);
-        let picture = surroundings::behind(&cut, &camera, &mesh, &mut ground.clone());
+        let picture = surroundings::behind(&cut, &camera, &mesh, &mut ground.clone(), GRAIN);
         let noise = |r: &mut Random, s: f64| s * f64::from(r.normal());
         let at = camera.position().as_dvec3();
         let (sin, cos) = HEADING.to_radians().sin_cos();
@@ -158,5 +158,7 @@ fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<Vec<u8>> {
     Ok(out.into_inner())
 }
 
+/// The ground's, that features be found on it.
+const GRAIN: f32 = 0.7;
 /// Of a 36 × 24 mm frame, millimetres.
 const DIAGONAL_35MM: f64 = 43.266_615;

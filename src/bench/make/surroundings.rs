@@ -16,7 +16,8 @@ const GROUNDS: [[[f32; 3]; 2]; 4] = [
     [[0.60, 0.59, 0.57], [0.52, 0.52, 0.52]],
 ];
 
-pub fn behind(cut: &RgbaImage, camera: &Camera, mesh: &Mesh, random: &mut Random) -> RgbImage {
+/// `grain`: how much the ground's brightness varies from stone to stone, parts of itself; 0: smooth.
+pub fn behind(cut: &RgbaImage, camera: &Camera, mesh: &Mesh, random: &mut Random, grain: f32) -> RgbImage {
     let ground = GROUNDS[((random.uniform() * 4.0) as usize).min(3)];
     let seed = (random.uniform() * 1e6) as u32;
     let (low, high) = mesh.bounds();
@@ -32,10 +33,17 @@ pub fn behind(cut: &RgbaImage, camera: &Camera, mesh: &Mesh, random: &mut Random
             let q = p / size;
             let t = 0.6 * smooth_noise(q * 9.0, seed) + 0.4 * smooth_noise(q * 40.0, seed + 1);
             // Ground far away is all one.
-            let t = 0.5 + (t - 0.5) * (4.0 * size / far.max(1e-3)).min(1.0);
+            let near = (4.0 * size / far.max(1e-3)).min(1.0);
+            let t = 0.5 + (t - 0.5) * near;
+            let stones = match grain > 0.0 {
+                true => smooth_noise(q * 23.0, seed + 2) + smooth_noise(q * 61.0, seed + 3) - 1.0,
+                false => 0.0,
+            };
             let d = outside(&feet, p) / (0.10 * size);
             let shadow = 1.0 - 0.55 * (-d * d).exp();
-            std::array::from_fn(|k| (ground[0][k] * (1.0 - t) + ground[1][k] * t) * shadow)
+            std::array::from_fn(|k| {
+                (ground[0][k] * (1.0 - t) + ground[1][k] * t) * shadow * (1.0 + grain * near * stones)
+            })
         } else {
             let t = (ray.normalize().z * 2.5).clamp(0.0, 1.0);
             [0.86 - 0.34 * t, 0.89 - 0.22 * t, 0.92 - 0.06 * t]

@@ -323,9 +323,9 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
         focal_35mm: photo.exif.focal_35mm,
         posed_focal: None,
     };
-    if let Some(s) = &done.several {
+    if let Some(focal) = done.several.as_ref().and_then(|s| s.reference_focal) {
         let elevation_sigma = POSED_ELEVATION_SIGMA.to_radians();
-        return View { posed_focal: Some(s.reference_focal), elevation_sigma, ..view };
+        return View { posed_focal: Some(focal), elevation_sigma, ..view };
     }
     match photo.exif.gimbal.and_then(|g| g.pitch) {
         Some(pitch) => View {

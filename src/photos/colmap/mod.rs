@@ -136,6 +136,21 @@ impl Camera {
         [fx * x + cx, fy * y + cy]
     }
 
+    /// The ray through a pixel: (x/z, y/z, 1). The inverse of [`Camera::project`], by steps towards it.
+    pub fn ray(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let [fx, fy, cx, cy] = self.pinhole();
+        let (mut u, mut v) = ((x - cx) / fx, (y - cy) / fy);
+        for _ in 0..100 {
+            let seen = self.project([u, v]);
+            let (du, dv) = ((x - seen[0]) / fx, (y - seen[1]) / fy);
+            (u, v) = (u + du, v + dv);
+            if du.hypot(dv) < 1e-12 {
+                break;
+            }
+        }
+        [u, v, 1.0]
+    }
+
     /// The picture that the same camera would take without its distortion; black where the given one shows nothing.
     pub fn undistorted(&self, picture: &image::RgbImage) -> image::RgbImage {
         if self.lens.is_pinhole() {

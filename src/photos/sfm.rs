@@ -1,0 +1,199 @@
+//! Poses by the `colmap` program of this machine (Schönberger and Frahm 2016): features, matches, sparse model, on the CPU and
+//! without a display.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::progress::Progress;
+use crate::{Error, Result};
+
+/// As many photos are matched each with each; more, each with its neighbours in the order of their names.
+const EACH_WITH_EACH: usize = 200;
+
+/// What ran.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// `COLMAP 3.8`.
+    pub version: String,
+    /// The commands, with the work folder as `WORK`.
+    pub commands: Vec<String>,
+    /// The folder of its models.
+    pub models: PathBuf,
+}
+
+/// A folder that is gone when this is.
+struct Work(PathBuf);
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        // Nothing depends on it any more; what cannot be removed stays for the system to clear.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// One camera for all photos: width, height, focal length in pixels where it is known.
+pub type Shared = Option<(u32, u32, Option<f64>)>;
+
+/// What the program calls itself.
+///
+/// # Errors
+/// Environment where it cannot be started.
+pub fn version(program: &Path) -> Result<String> {
+    let told = command(program).arg("help").output().map_err(|e| {
+        Error::environment("--sfm colmap")
+            .expected(format!("the program {}", program.display()))
+            .found(e.to_string())
+            .advice("Install COLMAP (Debian: apt-get install --no-install-recommends colmap), or give --poses.")
+    })?;
+    let text = String::from_utf8_lossy(&told.stdout).into_owned();
+    let line = text.lines().find(|l| l.contains("COLMAP")).unwrap_or("COLMAP");
+    Ok(line.split(" -- ").next().unwrap_or(line).trim().to_owned())
+}
+
+fn command(program: &Path) -> Command {
+    let mut c = Command::new(program);
+    // It links Qt and would look for a display.
+    c.env("QT_QPA_PLATFORM", "offscreen").stdin(Stdio::null());
+    c
+}
+
+/// Runs the program on photos in a folder `work` of its own, which must not exist and is removed afterwards; `read` is given
+/// what came of it before that.
+///
+/// # Errors
+/// Environment where the program is missing or fails, with its last words; usage where it finds no model; `Cancelled`.
+pub fn run<T>(
+    program: &Path,
+    photos: &[PathBuf],
+    shared: Shared,
+    work: &Path,
+    progress: &dyn Progress,
+    read: impl FnOnce(&Run) -> Result<T>,
+) -> Result<T> {
+    let version = version(program)?;
+    let images = work.join("images");
+    std::fs::create_dir_all(&images).map_err(|e| Error::io(&images, &e))?;
+    let held = Work(work.to_owned());
+    for photo in photos {
+        let name = photo.file_name().unwrap_or_default();
+        let whole = photo.canonicalize().map_err(|e| Error::io(photo, &e))?;
+        std::fs::copy(&whole, images.join(name)).map_err(|e| Error::io(photo, &e))?;
+    }
+    let models = work.join("sparse");
+    std::fs::create_dir_all(&models).map_err(|e| Error::io(&models, &e))?;
+    let at = |name: &str| work.join(name).to_string_lossy().into_owned();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).to_string();
+    let mut features: Vec<String> =
+        ["feature_extractor", "--database_path", &at("database.db"), "--image_path", &at("images")]
+            .map(str::to_owned)
+            .to_vec();
+    features.extend(["--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads", &threads].map(str::to_owned));
+    features.extend(["--ImageReader.camera_model", "SIMPLE_RADIAL"].map(str::to_owned));
+    if let Some((width, height, focal)) = shared {
+        features.extend(["--ImageReader.single_camera", "1"].map(str::to_owned));
+        if let Some(f) = focal {
+            let inside = format!("{f},{},{},0", f64::from(width) / 2.0, f64::from(height) / 2.0);
+            features.extend(["--ImageReader.camera_params".to_owned(), inside]);
+        }
+    }
+    let matcher = if photos.len() <= EACH_WITH_EACH { "exhaustive_matcher" } else { "sequential_matcher" };
+    let matches = [
+        matcher,
+        "--database_path",
+        &at("database.db"),
+        "--SiftMatching.use_gpu",
+        "0",
+        "--SiftMatching.num_threads",
+        &threads,
+    ]
+    .map(str::to_owned)
+    .to_vec();
+    let mapper = [
+        "mapper",
+        "--database_path",
+        &at("database.db"),
+        "--image_path",
+        &at("images"),
+        "--output_path",
+        &at("sparse"),
+    ];
+    let mapper = [&mapper[..], &["--Mapper.num_threads", &threads]].concat().into_iter().map(str::to_owned).collect();
+    let shown = work.to_string_lossy().into_owned();
+    let mut commands = Vec::new();
+    for arguments in [features, matches, mapper] {
+        one(program, &arguments, work, progress)?;
+        commands.push(format!("colmap {}", arguments.join(" ").replace(&shown, "WORK")));
+    }
+    let any = std::fs::read_dir(&models).map_err(|e| Error::io(&models, &e))?.next().is_some();
+    if !any {
+        return Err(Error::usage("--sfm colmap")
+            .expected("photos that overlap, with texture to hold on to")
+            .found(format!("no two of {} that {version} could place", photos.len()))
+            .advice("Take photos at most 20° apart, sharp, with textured ground around the subject."));
+    }
+    let out = read(&Run { version, commands, models });
+    drop(held);
+    out
+}
+
+/// One command, its words kept in a file; killed where the user stops.
+fn one(program: &Path, arguments: &[String], work: &Path, progress: &dyn Progress) -> Result<()> {
+    progress.begin("COLMAP", 0);
+    let step = &arguments[0];
+    let log = work.join(format!("{step}.log"));
+    let file = File::create(&log).map_err(|e| Error::io(&log, &e))?;
+    let both = file.try_clone().map_err(|e| Error::io(&log, &e))?;
+    let mut child = command(program)
+        .args(arguments)
+        .stdout(file)
+        .stderr(both)
+        .spawn()
+        .map_err(|e| Error::environment(format!("colmap {step}")).found(e.to_string()))?;
+    let status = loop {
+        match child.try_wait().map_err(|e| Error::environment(format!("colmap {step}")).found(e.to_string()))? {
+            Some(status) => break status,
+            None if progress.cancelled() => {
+                // It may have ended by itself meanwhile.
+                let _ = child.kill();
+                let _ = child.wait();
+                return Err(Error::cancelled());
+            }
+            None => std::thread::sleep(Duration::from_millis(50)),
+        }
+    };
+    if status.success() {
+        return Ok(());
+    }
+    let said = std::fs::read(&log).unwrap_or_default();
+    let said = String::from_utf8_lossy(&said).into_owned();
+    let last: Vec<&str> = said.lines().map(str::trim).filter(|l| !l.is_empty()).rev().take(3).collect();
+    // The mapper ends so where it finds no pair to begin with.
+    let nothing = step == "mapper" && said.contains("No good initial image pair");
+    let e = if nothing { Error::usage("--sfm colmap") } else { Error::environment(format!("colmap {step}")) };
+    Err(e
+        .expected(if nothing { "photos that overlap" } else { "an end without errors" })
+        .found(format!("{status}; it says: {}", last.into_iter().rev().collect::<Vec<_>>().join(" / ")))
+        .advice("The same command by hand says more; --poses takes a model that was made elsewhere."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+
+    #[test]
+    fn a_missing_or_failing_program_is_explained() {
+        let e = version(Path::new("/nowhere/colmap")).unwrap_err();
+        assert!(e.to_string().contains("/nowhere/colmap") && e.advice.contains("apt-get"), "{e}");
+        let folder = tempfile::tempdir().unwrap();
+        let photo = folder.path().join("a.png");
+        image::RgbImage::new(4, 4).save(&photo).unwrap();
+        let work = folder.path().join("work");
+        // It ends with an error and says nothing.
+        let e = run(Path::new("/bin/false"), &[photo], None, &work, &Silent, |_| Ok(())).unwrap_err();
+        assert!(e.subject.contains("feature_extractor") && e.found.contains("exit status: 1"), "{e}");
+        assert!(!work.exists(), "the work folder stayed");
+    }
+}
