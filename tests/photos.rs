@@ -115,32 +115,3 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     }
     assert!(b.refused(&["reconstruct", &alone]).contains("at least two photos"));
 }
-
-#[test]
-fn colmap_finds_the_poses_of_photos_that_have_none() {
-    if Command::new("colmap").arg("help").env("QT_QPA_PLATFORM", "offscreen").output().is_err() {
-        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "colmap is missing: apt-get install colmap");
-        eprintln!("skipped: no colmap on this machine");
-        return;
-    }
-    let b = Bench::new("16", "400", &["--gps-noise", "0.1", "--no-poses"]);
-    let photos = b.text("sets/01_van/photos");
-    let made = ["reconstruct", &photos, "--sfm", "colmap", "--iterations", "40", "--device", "cpu", "-o", "van"];
-    let told = b.good(&made);
-    assert!(told.contains("COLMAP 3") && told.contains("held out"), "{told}");
-    b.good(&["audit", "verify", "van"]);
-    let p = &record(&b.at("van"))["predicate"];
-    let model = p["models"].as_array().unwrap().iter().find(|m| m["id"] == "colmap").unwrap();
-    assert!(model["version"].as_str().unwrap().starts_with("COLMAP"), "{model}");
-    assert!(p["params"]["sfm_commands"].as_str().unwrap().contains("mapper --database_path WORK/database.db"));
-    assert_eq!(p["inputs"].as_array().unwrap().iter().filter(|i| i["role"] == "poses").count(), 3);
-    assert!(p["params"]["photos_posed"].as_i64().unwrap() >= 14, "{told}");
-
-    // Two photos of an even wall share nothing.
-    std::fs::create_dir(b.at("wall")).unwrap();
-    for name in ["a.png", "b.png"] {
-        image::RgbImage::from_pixel(80, 60, image::Rgb([90, 90, 90])).save(b.at("wall").join(name)).unwrap();
-    }
-    let e = b.refused(&["reconstruct", &b.text("wall"), "--sfm", "colmap", "-o", "w"]);
-    assert!(e.contains("overlap"), "{e}");
-}

@@ -170,7 +170,8 @@ fn one(program: &Path, arguments: &[String], work: &Path, progress: &dyn Progres
     let said = String::from_utf8_lossy(&said).into_owned();
     let last: Vec<&str> = said.lines().map(str::trim).filter(|l| !l.is_empty()).rev().take(3).collect();
     // The mapper ends so where it finds no pair to begin with.
-    let nothing = step == "mapper" && said.contains("No good initial image pair");
+    let none = ["No good initial image pair", "No images with matches", "failed to create sparse model"];
+    let nothing = step == "mapper" && none.iter().any(|n| said.contains(n));
     let e = if nothing { Error::usage("--sfm colmap") } else { Error::environment(format!("colmap {step}")) };
     Err(e
         .expected(if nothing { "photos that overlap" } else { "an end without errors" })
@@ -181,7 +182,65 @@ fn one(program: &Path, arguments: &[String], work: &Path, progress: &dyn Progres
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::Marking;
+    use crate::bench::make;
+    use crate::geo::similarity::{Pair, Turn, fit};
+    use crate::photos::poses;
     use crate::progress::Silent;
+    use crate::splat::cameras;
+
+    /// Photos of a made van with COLMAP: poses against the truth, by the similarity between both worlds.
+    #[test]
+    fn colmap_finds_the_true_poses() {
+        let program = Path::new("colmap");
+        if version(program).is_err() {
+            let needed = std::env::var_os("ORB_REQUIRE_CLIENTS").is_some();
+            assert!(!needed, "colmap is missing: apt-get install --no-install-recommends colmap");
+            eprintln!("skipped: no colmap on this machine");
+            return;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let options = make::photos::Options { seed: 0, count: 16, width: 400, gps_noise: 0.0, poses: false };
+        let (name, files) = make::photos::set(1, &options, &Marking::UNCLASSIFIED).unwrap();
+        for f in files {
+            let path = folder.path().join(&f.path);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, f.bytes).unwrap();
+        }
+        let photos = poses::photos_in(&folder.path().join(&name).join("photos")).unwrap();
+        let list = folder.path().join(&name).join("truth/cameras.json");
+        let truth = cameras::parse(&list, &std::fs::read(&list).unwrap()).unwrap();
+        let focal = f64::from(truth[0].1.fx);
+        let work = folder.path().join("work");
+        let shared = Some((400, 300, Some(focal)));
+        let (found, ran) =
+            run(program, &photos, shared, &work, &Silent, |r| Ok((poses::of_model(&r.models.join("0"))?, r.clone())))
+                .unwrap();
+        assert!(
+            ran.version.starts_with("COLMAP") && ran.commands[2].contains("mapper --database_path WORK/database.db")
+        );
+        assert!(!work.exists() && found.photos.len() >= 12 && found.points.len() > 200, "{}", found.photos.len());
+        let pairs: Vec<Pair> = found
+            .photos
+            .iter()
+            .map(|p| {
+                let (_, camera) = truth.iter().find(|(n, _)| p.name.starts_with(n.as_str())).unwrap();
+                Pair { from: p.centre(), to: camera.position().as_dvec3(), sigma: 1.0 }
+            })
+            .collect();
+        let s = fit(&pairs, Turn::Free).unwrap();
+        let away = pairs.iter().map(|p| p.to.length()).sum::<f64>() / pairs.len() as f64;
+        let worst = pairs.iter().map(|p| s.apply(p.from).distance(p.to)).fold(0.0, f64::max);
+        assert!(worst < 0.02 * away, "{worst} m of {away}");
+
+        // Two photos of an even wall share nothing.
+        let walls: Vec<PathBuf> = ["a.png", "b.png"].map(|n| folder.path().join(n)).to_vec();
+        for wall in &walls {
+            image::RgbImage::from_pixel(128, 96, image::Rgb([90; 3])).save(wall).unwrap();
+        }
+        let e = run(program, &walls, None, &work, &Silent, |_| Ok(())).unwrap_err();
+        assert!(e.kind == crate::Kind::Usage && e.expected.contains("overlap") && !work.exists(), "{e}");
+    }
 
     #[test]
     fn a_missing_or_failing_program_is_explained() {
