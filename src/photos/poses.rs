@@ -86,7 +86,7 @@ pub fn photos_in(folder: &Path) -> Result<Vec<PathBuf>> {
 pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
     let photos = photos_in(folder)?;
     let Some(found) = (match given {
-        Some(path) => Some(place(path)?.ok_or_else(|| {
+        Some(path) => Some(place(path, true)?.ok_or_else(|| {
             Error::usage(path.display().to_string())
                 .expected(
                     "a COLMAP model (cameras, images, points3D; .bin or .txt), a folder of them, or transforms.json",
@@ -98,7 +98,7 @@ pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
             let above = folder.canonicalize().ok().and_then(|p| p.parent().map(Path::to_path_buf));
             let mut found = None;
             for place_there in [Some(folder.to_path_buf()), beside, above].into_iter().flatten() {
-                found = place(&place_there)?;
+                found = place(&place_there, false)?;
                 if found.is_some() {
                     break;
                 }
@@ -124,15 +124,17 @@ fn is_model(folder: &Path) -> bool {
     ["cameras.bin", "cameras.txt"].iter().any(|f| folder.join(f).is_file())
 }
 
-/// A model, the largest of several, or a list, in this order.
-fn place(path: &Path) -> Result<Option<Place>> {
+/// A model, the largest of several, or a list, in this order. `named`: by the user, so that its own folders may be models; beside
+/// photos lie other things too.
+fn place(path: &Path, named: bool) -> Result<Option<Place>> {
     if path.is_file() {
         return Ok(Some(Place::List(path.to_owned())));
     }
     if is_model(path) {
         return Ok(Some(Place::Model(path.to_owned())));
     }
-    for folder in [path.to_path_buf(), path.join("sparse"), path.join("colmap/sparse")] {
+    let own = named.then(|| path.to_path_buf());
+    for folder in own.into_iter().chain([path.join("sparse"), path.join("colmap/sparse")]) {
         if is_model(&folder) {
             return Ok(Some(Place::Model(folder)));
         }
