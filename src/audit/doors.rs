@@ -36,7 +36,7 @@ const DOORS: [&str; 23] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 27] = [
+const KEEPERS: [(&str, &str); 28] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -61,6 +61,7 @@ const KEEPERS: [(&str, &str); 27] = [
     ("src/models/registry/import/gather.rs", "imported networks, staged"),
     ("src/models/registry/mod.rs", "imported networks, removed"),
     ("src/models/zero123/cache.rs", "views already made"),
+    ("src/photos/sfm.rs", "COLMAP's work folder, its own and gone afterwards"),
     ("src/splat/render/gpu/cache.rs", "compiled shaders"),
     ("src/splat/render/gpu/device.rs", "compiled shaders"),
     ("src/splat/train/checkpoint.rs", "a fit that goes on later"),
