@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::Picture;
 use crate::mesh::View;
+pub use crate::photo::silhouette_iou;
 
 /// Opaque enough to have a depth.
 const SOLID: f32 = 0.9;
@@ -76,16 +77,6 @@ fn around(view: &View, at: Vec2) -> Option<([usize; 4], [f32; 4])> {
     let (u, v) = (p.x - x as f32, p.y - y as f32);
     let i = y * w + x;
     Some(([i, i + 1, i + w, i + w + 1], [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v]))
-}
-
-/// Intersection over union of two masks, each on from ½. None where both are empty.
-pub fn silhouette_iou(a: &[f32], b: &[f32]) -> Option<f64> {
-    let (mut both, mut either) = (0u32, 0u32);
-    for (x, y) in a.iter().zip(b).map(|(x, y)| (*x >= 0.5, *y >= 0.5)) {
-        both += u32::from(x && y);
-        either += u32::from(x || y);
-    }
-    (either > 0).then(|| f64::from(both) / f64::from(either))
 }
 
 /// Half of the window that corners are matched by, how far they are looked for, and how alike (ZNCC) they must be.

@@ -410,7 +410,6 @@ fn options(args: &PhotosArgs, fixes: &[Fix], seed: u64) -> Options {
 fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {
     let text = |v: String| Param::Text(v);
     let with = |role: fn(&Role) -> bool| s.photos.iter().filter(|p| role(&p.role)).count() as i64;
-    let t = &s.to_unit;
     let mut all = vec![
         ("poses".into(), text(record::printable(&poses.source))),
         ("photos_posed".into(), Param::Int(poses.photos.len() as i64)),
@@ -422,20 +421,7 @@ fn params(poses: &Poses, s: &Several) -> Vec<(String, Param)> {
         ("network_silhouette_iou".into(), text(format!("{:.4}", s.network_iou))),
         ("trained_psnr_db".into(), text(format!("{:.3}", s.trained.psnr))),
         ("trained_ssim".into(), text(format!("{:.4}", s.trained.ssim))),
-        (
-            "world_to_unit".into(),
-            text(format!(
-                "scale {} rotation xyzw {} {} {} {} translation {} {} {}",
-                t.scale,
-                t.rotation.x,
-                t.rotation.y,
-                t.rotation.z,
-                t.rotation.w,
-                t.translation.x,
-                t.translation.y,
-                t.translation.z
-            )),
-        ),
+        ("world_to_unit".into(), text(s.to_unit.to_string())),
     ];
     if s.held_out.photos > 0 {
         all.push(("held_out_psnr_db".into(), text(format!("{:.3}", s.held_out.psnr))));

@@ -35,6 +35,14 @@ impl Similarity {
     }
 }
 
+/// As records have it: every digit of an f64.
+impl std::fmt::Display for Similarity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (DQuat { x, y, z, w }, t) = (self.rotation, self.translation);
+        write!(f, "scale {} rotation xyzw {x} {y} {z} {w} translation {} {} {}", self.scale, t.x, t.y, t.z)
+    }
+}
+
 /// A point in both frames, and one standard deviation of where `to` says it is, per axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {

@@ -1,6 +1,7 @@
 //! Where the camera of a Gaussian set stands to a picture of it: zoom and shift, from silhouettes.
 
-use crate::photo::Plane;
+use super::pattern_search::pattern_search;
+use crate::photo::{Plane, silhouette_iou};
 use crate::splat::{Camera, Gaussians};
 use glam::{Mat3, Quat, Vec2};
 
@@ -62,7 +63,7 @@ pub fn silhouette(gaussians: &Gaussians, camera: &Camera) -> Plane {
 /// Changes a camera's focal length and principal point, not its pose, until the silhouette meets the mask.
 ///
 /// `mask` is what the camera's picture shows, at any resolution. A zoom and a shift of the intrinsics move the picture
-/// as a whole, so one wide rendering serves every trial: a pattern search (Hooke and Jeeves 1961) over log zoom and
+/// as a whole, so one wide rendering serves every trial: a [`pattern_search`] over log zoom and
 /// shift for the least squared difference. Returns the camera and the intersection over union it reaches.
 pub fn fit_intrinsics(gaussians: &Gaussians, camera: &Camera, mask: &Plane) -> (Camera, f32) {
     const GRID: usize = 128;
@@ -98,38 +99,17 @@ pub fn fit_intrinsics(gaussians: &Gaussians, camera: &Camera, mask: &Plane) -> (
         let y = ((i / GRID) as f32 + 0.5 - trial[2] - base.cy) / zoom + wide.cy;
         at(x, y)
     };
-    let cost = |trial: [f32; 3]| -> f64 {
-        (0..GRID * GRID).map(|i| f64::from(warped(trial, i) - target.data[i]).powi(2)).sum()
+    let cost = |trial: [f32; 3]| match trial[0].abs() < 0.8 {
+        true => (0..GRID * GRID).map(|i| f64::from(warped(trial, i) - target.data[i]).powi(2)).sum(),
+        false => f64::INFINITY,
     };
-    let mut best = [0.0f32; 3];
-    let mut least = cost(best);
-    let mut step = [0.08f32, 6.0, 6.0];
-    while step[1] > 0.05 {
-        let mut moved = false;
-        for axis in 0..3 {
-            for sign in [1.0, -1.0] {
-                let mut trial = best;
-                trial[axis] += sign * step[axis];
-                let value = cost(trial);
-                if trial[0].abs() < 0.8 && value < least {
-                    (best, least, moved) = (trial, value, true);
-                }
-            }
-        }
-        if !moved {
-            step.iter_mut().for_each(|s| *s *= 0.5);
-        }
-    }
-    let (mut both, mut either) = (0u32, 0u32);
-    for i in 0..GRID * GRID {
-        let (a, b) = (warped(best, i) > 0.5, target.data[i] > 0.5);
-        both += u32::from(a && b);
-        either += u32::from(a || b);
-    }
+    let (best, _) = pattern_search([0.0; 3], [0.08, 6.0, 6.0], 0.05 / 6.0, cost);
+    let reached: Vec<f32> = (0..GRID * GRID).map(|i| warped(best, i)).collect();
+    let iou = silhouette_iou(&reached, &target.data).unwrap_or(0.0) as f32;
     let zoom = best[0].exp();
     let fitted =
         Camera { fx: base.fx * zoom, fy: base.fy * zoom, cx: base.cx + best[1], cy: base.cy + best[2], ..base };
-    (fitted.resized(camera.width, camera.height), both as f32 / either.max(1) as f32)
+    (fitted.resized(camera.width, camera.height), iou)
 }
 
 #[cfg(test)]

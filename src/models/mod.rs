@@ -22,6 +22,7 @@ mod tensor;
 pub mod align;
 pub mod colour_model;
 pub mod guided;
+pub mod pattern_search;
 pub mod picture;
 pub mod region;
 

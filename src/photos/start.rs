@@ -7,8 +7,9 @@ use glam::{Mat3, Quat, Vec3};
 use rayon::prelude::*;
 
 use crate::models::align;
+use crate::models::pattern_search::pattern_search;
 use crate::models::splat_prior::OneView;
-use crate::photo::{Edge, Plane, Rect, sample_plane};
+use crate::photo::{self, Edge, Plane, Rect, sample_plane};
 use crate::splat::{Camera, Gaussians, SH_C0};
 use crate::views::hull::{CELL, Silhouette};
 
@@ -65,12 +66,7 @@ impl Small {
 pub fn silhouette_iou(g: &Gaussians, s: &Silhouette) -> f32 {
     let small = Small::of(s);
     let seen = align::silhouette(g, &small.camera);
-    let (mut both, mut either) = (0u32, 0u32);
-    for (a, b) in seen.data.iter().zip(&small.mask.data) {
-        both += u32::from(*a > 0.5 && *b > 0.5);
-        either += u32::from(*a > 0.5 || *b > 0.5);
-    }
-    both as f32 / either.max(1) as f32
+    photo::silhouette_iou(&seen.data, &small.mask.data).unwrap_or(0.0) as f32
 }
 
 /// Every so manieth Gaussian, larger for those left out.
@@ -81,7 +77,7 @@ fn thinned(g: &Gaussians) -> Gaussians {
     out
 }
 
-/// Turns, moves and scales Gaussians until their silhouettes meet the masks: a pattern search (Hooke and Jeeves 1961) over the
+/// Turns, moves and scales Gaussians until their silhouettes meet the masks: a [`pattern_search`] over the
 /// seven numbers of a similarity, from `first`.
 pub fn settle(g: &Gaussians, first: Move, silhouettes: &[Silhouette]) -> Move {
     let step = silhouettes.len().div_ceil(COMPARED).max(1);
@@ -95,8 +91,8 @@ pub fn settle(g: &Gaussians, first: Move, silhouettes: &[Silhouette]) -> Move {
             translation: turn * first.translation + Vec3::new(t[4], t[5], t[6]),
         }
     };
-    let cost = |t: &[f32; 7]| -> f64 {
-        let m = of(t);
+    let cost = |t: [f32; 7]| -> f64 {
+        let m = of(&t);
         let moved = Gaussians {
             // Colours are not looked at: turning them would take longer than the rest.
             sh: Vec::new(),
@@ -104,26 +100,7 @@ pub fn settle(g: &Gaussians, first: Move, silhouettes: &[Silhouette]) -> Move {
         };
         small.par_iter().map(|s| s.cost(&moved)).collect::<Vec<f64>>().iter().sum()
     };
-    let mut best = [0.0f32; 7];
-    let mut least = cost(&best);
-    let mut step = [0.12f32, 0.12, 0.12, 0.08, 0.08, 0.08, 0.08];
-    while step[0] > 0.004 {
-        let mut moved = false;
-        for axis in 0..7 {
-            for sign in [1.0, -1.0] {
-                let mut trial = best;
-                trial[axis] += sign * step[axis];
-                let value = cost(&trial);
-                if value < least {
-                    (best, least, moved) = (trial, value, true);
-                    break;
-                }
-            }
-        }
-        if !moved {
-            step.iter_mut().for_each(|s| *s *= 0.5);
-        }
-    }
+    let (best, _) = pattern_search([0.0; 7], [0.12, 0.12, 0.12, 0.08, 0.08, 0.08, 0.08], 1.0 / 30.0, cost);
     of(&best)
 }
 

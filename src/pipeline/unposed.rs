@@ -7,6 +7,7 @@ use glam::{DMat3, DQuat, Mat3, Quat, Vec3};
 use rayon::prelude::*;
 
 use super::GREY;
+use crate::models::pattern_search::pattern_search;
 use crate::models::scene;
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{Engine, prior};
@@ -202,8 +203,7 @@ fn judged(body: &Gaussians, view: &OneView, small: &Small, [azimuth, elevation, 
     (camera, both / either.max(1.0) - COLOUR * apart / both.max(1.0))
 }
 
-/// The best pose of a photo before a body: guesses all around, the best of them refined by a pattern search (Hooke and Jeeves
-/// 1961).
+/// The best pose of a photo before a body: guesses all around, the best of them refined by a [`pattern_search`].
 fn place(body: &Gaussians, view: &OneView) -> (Camera, f32) {
     let small = Small::of(view);
     let own = view.elevation.to_degrees();
@@ -213,28 +213,12 @@ fn place(body: &Gaussians, view: &OneView) -> (Camera, f32) {
         .collect();
     let mut scored: Vec<(f32, Guess)> = guesses.into_par_iter().map(|g| (judged(body, view, &small, g).1, g)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let refined = scored.into_iter().take(REFINED).map(|(score, guess)| {
-        let (mut best, mut at) = (score, guess);
-        let mut step = [5.0f32, 4.0, 3.0];
-        while step[0] > 0.6 {
-            let mut moved = false;
-            for axis in 0..3 {
-                for sign in [1.0, -1.0] {
-                    let mut trial = at;
-                    trial[axis] += sign * step[axis];
-                    let score = judged(body, view, &small, trial).1;
-                    if score > best && trial[2].abs() < 20.0 && (-30.0..85.0).contains(&trial[1]) {
-                        (best, at, moved) = (score, trial, true);
-                    }
-                }
-            }
-            if !moved {
-                step.iter_mut().for_each(|s| *s *= 0.5);
-            }
-        }
-        (best, at)
-    });
-    let (_, guess) = refined.fold((f32::NEG_INFINITY, [0.0; 3]), |a, b| if b.0 > a.0 { b } else { a });
+    let cost = |g: Guess| match g[2].abs() < 20.0 && (-30.0..85.0).contains(&g[1]) {
+        true => -f64::from(judged(body, view, &small, g).1),
+        false => f64::INFINITY,
+    };
+    let refined = scored.into_iter().take(REFINED).map(|(_, g)| pattern_search(g, [5.0, 4.0, 3.0], 0.12, cost));
+    let (guess, _) = refined.fold(([0.0; 3], f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
     judged(body, view, &small, guess)
 }
 
