@@ -243,9 +243,9 @@ pub fn fit(
     progress.check()?;
 
     progress.begin("six views", 6);
-    let six = match sources.six_views(&mut one_view, settings.seed, &mut outcome, progress)? {
-        Some(given) => views::tile::framed(&given, GREY),
-        None => render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?,
+    let (six, normals) = match sources.six_views(&mut one_view, settings.seed, &mut outcome, progress)? {
+        Some(drawn) => (views::tile::framed(&drawn.views, GREY), drawn.normals),
+        None => (render_all(&one_view.gaussians, &views::six_views(VIEW_SIZE), progress)?, Vec::new()),
     };
     // Views between the six are the prior's own; where others draw the six there is nothing to hold back.
     if let Some(seen) = depth {
@@ -257,7 +257,7 @@ pub fn fit(
     };
     clock.lap("six views");
 
-    let views = Shot { six: &six, normals: sources.normals.as_deref().unwrap_or(&[]), between: &between };
+    let views = Shot { six: &six, normals: &normals, between: &between };
     let trained = optimise(fitter, &one_view, mirrored.as_ref(), &views, settings, progress)?;
     clock.lap("optimisation");
 

@@ -28,8 +28,8 @@ pub enum Mask {
 /// Where the six views come from.
 pub enum Views {
     BuiltIn,
-    /// A ready tile.
-    Given(RgbaImage),
+    /// A ready tile, and its normals as [`tile::normals`] reads them, where they were given too.
+    Given(RgbaImage, Vec<Vec<[f32; 3]>>),
     Network(Network, zero123::Settings),
 }
 
@@ -40,22 +40,13 @@ pub struct Sources {
     pub mask: Mask,
     pub depth: Option<Network>,
     pub views: Views,
-    /// Of the six views, where they are given: [`tile::normals`].
-    pub normals: Option<Vec<Vec<[f32; 3]>>>,
     /// Tiles made earlier.
     pub cache: Option<Cache>,
 }
 
 impl Default for Sources {
     fn default() -> Self {
-        Sources {
-            engine: Box::new(Rten),
-            mask: Mask::BuiltIn(None),
-            depth: None,
-            views: Views::BuiltIn,
-            normals: None,
-            cache: None,
-        }
+        Sources { engine: Box::new(Rten), mask: Mask::BuiltIn(None), depth: None, views: Views::BuiltIn, cache: None }
     }
 }
 
@@ -83,6 +74,8 @@ pub struct Outcome {
     /// SHA-256 of the tile's pixels, where one was drawn or given.
     pub tile_sha256: Option<String>,
     pub tile_from_cache: bool,
+    /// SHA-256 of the pixels of the normals that a ControlNet drew.
+    pub normals_sha256: Option<String>,
     /// The photo's pose among the six views.
     pub pose: Option<pose::Found>,
 }
@@ -158,44 +151,76 @@ impl Sources {
     /// Six views drawn by others, and the prior settled among them.
     ///
     /// # Errors
-    /// As [`zero123::six_views`], [`tile::cut`] and [`pose::settle`].
+    /// As [`zero123::six_views`], [`zero123::six_normals`], [`tile::cut`], [`tile::normals`] and [`pose::settle`].
     pub fn six_views(
         &self,
         prior: &mut OneView,
         seed: u64,
         outcome: &mut Outcome,
         progress: &dyn Progress,
-    ) -> Result<Option<Vec<View>>> {
-        let tile = match &self.views {
+    ) -> Result<Option<SixViews>> {
+        let (tile, normals) = match &self.views {
             Views::BuiltIn => return Ok(None),
-            Views::Given(tile) => tile.clone(),
+            Views::Given(tile, normals) => (tile.clone(), normals.clone()),
             Views::Network(network, settings) => {
-                let picture = on_grey(prior);
-                let key =
-                    zero123::cache::key(&picture, &network.manifest.weights_sha256(), self.engine.name(), settings);
                 outcome.views = Some(self.ran(network));
-                let kept = self.cache.as_ref().and_then(|c| c.get(&key));
-                outcome.tile_from_cache = kept.is_some();
-                let tile = match kept {
-                    Some(tile) => tile,
-                    None => {
-                        let prompt = Prompt::read(&network.path(Role::Prompt)?)?;
-                        let mut open = |role| self.open(network, role);
-                        let tile = zero123::six_views(&picture, &prompt, &mut open, settings, progress)?;
-                        if let Some(cache) = &self.cache {
-                            cache.put(&key, &tile)?;
-                        }
-                        tile
-                    }
-                };
-                tile::with_alpha(&tile)
+                let (colours, normals) = self.drawn(network, settings, &on_grey(prior), outcome, progress)?;
+                outcome.normals_sha256 = normals.as_ref().map(|n| sha256_hex(n.as_raw()));
+                let normals = normals.map_or(Ok(Vec::new()), |n| tile::normals(&n))?;
+                (tile::with_alpha(&colours), normals)
             }
         };
         outcome.tile_sha256 = Some(sha256_hex(tile.as_raw()));
         let views = tile::cut(&tile)?;
         outcome.pose = Some(pose::settle(prior, &views, seed, progress)?);
-        Ok(Some(views))
+        Ok(Some(SixViews { views, normals }))
     }
+
+    /// A tile of colours, and one of normals where the network has a ControlNet.
+    fn drawn(
+        &self,
+        network: &Network,
+        settings: &zero123::Settings,
+        picture: &RgbImage,
+        outcome: &mut Outcome,
+        progress: &dyn Progress,
+    ) -> Result<(RgbImage, Option<RgbImage>)> {
+        let key = zero123::cache::key(picture, &network.manifest.weights_sha256(), self.engine.name(), settings);
+        let normals_key = sha256_hex(format!("orb.six-normals/v1\n{key}\n").as_bytes());
+        let kept = |key: &str| self.cache.as_ref().and_then(|c| c.get(key));
+        let keep = |key: &str, tile: &RgbImage| self.cache.as_ref().map_or(Ok(()), |c| c.put(key, tile));
+        let prompt = || Prompt::read(&network.path(Role::Prompt)?);
+        let mut open = |role| self.open(network, role);
+        let tile = kept(&key);
+        outcome.tile_from_cache = tile.is_some();
+        let tile = match tile {
+            Some(tile) => tile,
+            None => {
+                let tile = zero123::six_views(picture, &prompt()?, &mut open, settings, progress)?;
+                keep(&key, &tile)?;
+                tile
+            }
+        };
+        if !network.has(Role::ControlNet) {
+            return Ok((tile, None));
+        }
+        let normals = match kept(&normals_key) {
+            Some(normals) => normals,
+            None => {
+                let normals = zero123::six_normals(&tile, picture, &prompt()?, &mut open, settings, progress)?;
+                keep(&normals_key, &normals)?;
+                normals
+            }
+        };
+        Ok((tile, Some(normals)))
+    }
+}
+
+/// Drawn by others.
+pub struct SixViews {
+    pub views: Vec<View>,
+    /// Of each view as [`tile::normals`] reads them, or none at all.
+    pub normals: Vec<Vec<[f32; 3]>>,
 }
 
 /// The depth network's surface in the prior; its plane in the subject.
@@ -293,6 +318,28 @@ mod tests {
         ] {
             assert!(mask_from(&picture(pixels, None), (400, 300)).unwrap_err().found.contains(words));
         }
+    }
+
+    #[test]
+    fn a_controlnet_draws_normals_once() {
+        use crate::models::registry::{Import, Registry, import, tests::zero123};
+        use crate::progress::Silent;
+        let folder = tempfile::tempdir().unwrap();
+        let registry = Registry::at(folder.path().join("models"));
+        let stubs = zero123(&folder.path().join("stubs"), "unet_read_controlled", true);
+        let request = Import { sources: vec![stubs], allow_unpinned: true, accept_licence: true, ..Import::default() };
+        let network = registry.verified(&import(&registry, &request, &Rten, &mut |_| {}).unwrap()).unwrap();
+        let sources = Sources { cache: Some(Cache::at(folder.path().join("cache"))), ..Sources::default() };
+        let settings = zero123::Settings { steps: 1, ..zero123::Settings::default() };
+        let picture = RgbImage::from_fn(320, 320, |x, y| Rgb([x as u8, y as u8, 60]));
+        let drawn = || {
+            let mut outcome = Outcome::default();
+            let made = sources.drawn(&network, &settings, &picture, &mut outcome, &Silent).unwrap();
+            (made, outcome.tile_from_cache)
+        };
+        let ((colours, normals), kept) = drawn();
+        assert!(!kept && normals.as_ref().is_some_and(|n| *n != colours));
+        assert!(drawn() == ((colours, normals), true));
     }
 
     #[test]

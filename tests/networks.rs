@@ -149,7 +149,7 @@ fn compare(graphs: &BTreeMap<String, PathBuf>, vectors: &Value, runtime: Option<
 fn both_engines_give_the_same_on_every_contract() {
     let folder = tempfile::tempdir().unwrap();
     let graphs = graphs(folder.path());
-    assert_eq!(graphs.len(), 16);
+    assert_eq!(graphs.len(), 18);
     compare(&graphs, &vectors(&contracts()), runtime().as_deref());
     if let Some(more) = std::env::var_os("ORB_CONTRACTS").map(PathBuf::from) {
         let mut graphs = BTreeMap::new();

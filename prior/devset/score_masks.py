@@ -1,9 +1,11 @@
-"""Score the subject masks of `orb geo` on real photographs with hand-checked masks.
+"""Score the subject masks of `orb geo` on photos with known masks.
 
-    python score_masks.py ORB PHOTO_DIR MASK_DIR OUT_DIR [--sheet sheet.png]
+    python score_masks.py ORB PHOTO_DIR MASK_DIR OUT_DIR [--sheet sheet.png]            # real photographs, masks checked by hand
+    python score_masks.py ORB DEVSET DEVSET OUT_DIR --development plain|outdoor         # the development set
 
-PHOTO_DIR/<name>.jpg (see real/fetch.py), MASK_DIR/<name>.png of the same size. Prints the intersection over union of every
-photo, the mean, the median and what failed (a refusal counts as 0). Writes OUT_DIR/masks.json.
+PHOTO_DIR/<name>.jpg (see real/fetch.py) and MASK_DIR/<name>.png of the same size, or DEVSET/<name>/photo_<kind>.jpg and
+mask.png (see render.py). Prints the intersection over union of every photo, the mean, the median and what failed (a refusal
+counts as 0). Writes OUT_DIR/masks.json.
 """
 
 import argparse
@@ -21,6 +23,13 @@ def answer(orb, photo, target):
     run_orb(orb, ["geo", "--origin", "0,0,0", "--height", 1, "--iterations", 0, "--format", "ply", "--lods", 1, "--stages",
                   "--quiet", "--replace", "-o", target, photo])  # fmt: skip
     return Image.open(target / "mask.png").convert("L")
+
+
+def pairs(photos, masks, kind):
+    """Name, photo and true mask of each."""
+    if kind:
+        return [(p.parent.name, photos / p.parent.name / f"photo_{kind}.jpg", p) for p in sorted(masks.glob("*/mask.png"))]
+    return [(p.stem, photos / f"{p.stem}.jpg", p) for p in sorted(masks.glob("*.png"))]
 
 
 def tiles(photo, mask, truth, size=192):
@@ -42,23 +51,23 @@ def main():
     parser.add_argument("photos", type=Path)
     parser.add_argument("masks", type=Path)
     parser.add_argument("out", type=Path)
+    parser.add_argument("--development", choices=["plain", "outdoor"])
     parser.add_argument("--sheet", type=Path)
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
     os.environ.setdefault("ORB_DATA_DIR", str(args.out / "orb-data"))
     scores, refused, shown = {}, {}, []
-    for path in sorted(args.masks.glob("*.png")):
-        photo = args.photos / f"{path.stem}.jpg"
+    for name, photo, path in pairs(args.photos, args.masks, args.development):
         truth = np.asarray(Image.open(path).convert("L")).astype(float) / 255
         try:
-            mask = answer(args.orb, photo, args.out / path.stem).resize(truth.shape[::-1], Image.LANCZOS)
+            mask = answer(args.orb, photo, args.out / name).resize(truth.shape[::-1], Image.LANCZOS)
             mask = np.asarray(mask).astype(float) / 255
-            scores[path.stem] = iou(mask, truth)
+            scores[name] = iou(mask, truth)
         except RuntimeError as e:
-            refused[path.stem] = str(e).splitlines()[-1]
-            mask, scores[path.stem] = np.zeros_like(truth), 0.0
-        print(f"{path.stem:16} {scores[path.stem]:.3f} {refused.get(path.stem, '')}", flush=True)
-        shown.append((scores[path.stem], tiles(photo, mask, truth)))
+            refused[name] = str(e).splitlines()[-1]
+            mask, scores[name] = np.zeros_like(truth), 0.0
+        print(f"{name:16} {scores[name]:.3f} {refused.get(name, '')}", flush=True)
+        shown.append((scores[name], tiles(photo, mask, truth)))
     values = list(scores.values())
     print(f"{len(values)} photos: mean {np.mean(values):.3f}, median {np.median(values):.3f}, refused {len(refused)}")
     (args.out / "masks.json").write_text(json.dumps({"iou": scores, "refused": refused}, indent=1))

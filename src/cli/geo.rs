@@ -488,6 +488,7 @@ fn params(
     add("depth_used", sources.depth.as_ref().map(|_| Param::Bool(sources.depth_fit.is_some())));
     add("six_views_sha256", sources.tile_sha256.clone().map(text));
     add("six_views_from_cache", sources.views.as_ref().map(|_| Param::Bool(sources.tile_from_cache)));
+    add("six_normals_sha256", sources.normals_sha256.clone().map(text));
     add("diffusion_steps", sources.views.as_ref().map(|_| Param::Int(args.networks.diffusion_steps.into())));
     for timing in &done.timings {
         let name = format!("peak_memory_mib_{}", timing.stage.replace(' ', "_").to_lowercase());

@@ -116,7 +116,7 @@ pub struct Chosen {
     pub inputs: Vec<Input>,
 }
 
-/// What the mask and the six views that are given are marked.
+/// What the mask, the six views and their normals that are given are marked.
 ///
 /// # Errors
 /// As [`marking::carried`]; a file that cannot be read.
@@ -125,7 +125,7 @@ pub fn carried(args: &NetworkArgs) -> Result<Vec<Option<Marking>>> {
         let bytes = crate::audit::disk::read_limited(path, photo::Limits::default().file_bytes)?;
         marking::carried(&path.file_name().unwrap_or_default().to_string_lossy(), &bytes)
     };
-    args.mask.iter().chain(&args.views).map(of).collect()
+    args.mask.iter().chain(&args.views).chain(&args.normals).map(of).collect()
 }
 
 /// Judges the options, hashes the networks that will run, opens the engine where there are any.
@@ -164,8 +164,8 @@ pub fn choose(
         None => None,
     };
     let normals = match &args.normals {
-        Some(path) => Some(tile::normals(&read(path, "normals")?.pixels)?),
-        None => None,
+        Some(path) => tile::normals(&read(path, "normals")?.pixels)?,
+        None => Vec::new(),
     };
     let prompt = prompt(args)?.on(size.0, size.1)?;
 
@@ -220,11 +220,10 @@ pub fn choose(
         },
         depth,
         views: match (given_views, views) {
-            (Some(given), _) => Views::Given(given),
+            (Some(given), _) => Views::Given(given, normals),
             (None, Some(network)) => Views::Network(network, settings),
             (None, None) => Views::BuiltIn,
         },
-        normals,
         cache: Some(Cache::at(data.path().join("cache").join("views"))),
     };
     Ok(Chosen { sources, inputs })

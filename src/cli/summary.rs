@@ -292,9 +292,10 @@ fn networks(s: &Summary) -> String {
             (Some(_), true) => " kept from an earlier run",
             _ => "",
         };
+        let normals = if o.normals_sha256.is_some() { " and their normals" } else { "" };
         let degrees = pose.elevation.to_degrees();
         words.push(format!(
-            "six views{from}, the photo's camera {degrees:.0}° above the horizon, silhouettes consistent to {:.0}%",
+            "six views{from}{normals}, the photo's camera {degrees:.0}° above the horizon, silhouettes consistent to {:.0}%",
             50.0 * (pose.filled + pose.kept)
         ));
     }

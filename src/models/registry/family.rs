@@ -19,7 +19,7 @@ pub enum Family {
     Sam1,
     /// Depth Anything 1, 2 and 3 with one picture in and one plane out.
     DepthAnything,
-    /// Zero123++ 1.1 and 1.2 in five graphs.
+    /// Zero123++ 1.1 and 1.2 in five graphs, and its ControlNet for normals as a sixth.
     Zero123pp,
 }
 
@@ -53,6 +53,9 @@ pub enum Role {
     UnetWrite,
     UnetRead,
     VaeDecoder,
+    /// Draws the normals of six views.
+    #[serde(rename = "controlnet")]
+    ControlNet,
     /// No graph: the text encoder's output for "" and the ramp, a safetensors file.
     Prompt,
 }
@@ -68,6 +71,7 @@ impl Role {
             Role::UnetWrite => "unet_write",
             Role::UnetRead => "unet_read",
             Role::VaeDecoder => "vae_decoder",
+            Role::ControlNet => "controlnet",
             Role::Prompt => "prompt",
         }
     }
@@ -103,6 +107,14 @@ impl Family {
             Family::Zero123pp => {
                 &[Role::ClipVision, Role::VaeEncoder, Role::UnetWrite, Role::UnetRead, Role::VaeDecoder, Role::Prompt]
             }
+        }
+    }
+
+    /// A network may have these, too.
+    pub fn optional_roles(self) -> &'static [Role] {
+        match self {
+            Family::Zero123pp => &[Role::ControlNet],
+            _ => &[],
         }
     }
 }
@@ -150,6 +162,28 @@ pub const REFERENCES: [(usize, usize); 16] = [
 /// `ref_00` … `ref_15`.
 pub fn reference_name(i: usize) -> String {
     format!("ref_{i:02}")
+}
+
+/// Channels, height and width of what the ControlNet adds to the UNet's way down, twelve times, and to its middle.
+pub const CONTROLS: [[usize; 3]; 13] = [
+    [320, 120, 80],
+    [320, 120, 80],
+    [320, 120, 80],
+    [320, 60, 40],
+    [640, 60, 40],
+    [640, 60, 40],
+    [640, 30, 20],
+    [1280, 30, 20],
+    [1280, 30, 20],
+    [1280, 15, 10],
+    [1280, 15, 10],
+    [1280, 15, 10],
+    [1280, 15, 10],
+];
+
+/// `control_00` … `control_12`.
+pub fn control_name(i: usize) -> String {
+    format!("control_{i:02}")
 }
 
 /// Every contract that Orb has an adapter for.
@@ -256,10 +290,17 @@ fn zero123pp(add: Add) {
         vec![Port::new("cond_sample", &[1, 4, 64, 64]), timestep.clone(), text.clone()],
         written.collect(),
     );
-    let mut inputs = vec![Port::new("sample", &[1, 4, 120, 80]), timestep, text];
+    let noisy = vec![Port::new("sample", &[1, 4, 120, 80]), timestep, text];
     let read = REFERENCES.iter().enumerate();
-    inputs.extend(read.map(|(i, &(_, c))| Port::free(&reference_name(i), &[Some(1), None, Some(c)])));
-    graph(Role::UnetRead, inputs, vec![Port::new("v_prediction", &[1, 4, 120, 80])]);
+    let read = read.map(|(i, &(_, c))| Port::free(&reference_name(i), &[Some(1), None, Some(c)]));
+    let inputs: Vec<Port> = noisy.iter().cloned().chain(read).collect();
+    let prediction = vec![Port::new("v_prediction", &[1, 4, 120, 80])];
+    graph(Role::UnetRead, inputs.clone(), prediction.clone());
+    let controls = CONTROLS.iter().enumerate();
+    let controls: Vec<Port> = controls.map(|(i, &[c, h, w])| Port::new(&control_name(i), &[1, c, h, w])).collect();
+    graph(Role::UnetRead, inputs.into_iter().chain(controls.clone()).collect(), prediction);
+    let picture = Port::new("control", &[1, 3, 960, 640]);
+    graph(Role::ControlNet, noisy.into_iter().chain([picture]).collect(), controls);
     graph(
         Role::VaeDecoder,
         vec![Port::new("latent_sample", &[1, 4, 120, 80])],

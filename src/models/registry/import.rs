@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::catalogue::{Catalogue, DepthKind, Entry};
-use super::family::{Family, Role, recognise};
+use super::family::{Family, Role, control_name, recognise};
 use super::{File, MANIFEST, Manifest, Part, Registry, check_id};
 use crate::audit::disk::{Disk, hash_file};
 use crate::models::Engine;
@@ -84,6 +84,16 @@ pub fn import(
             .expected(format!("also its {}", missing.join(", ")))
             .found(parts.iter().map(|(r, p)| format!("{}: {p}", r.name())).collect::<Vec<_>>().join(", "))
             .advice("Give all its files at once: a folder, an archive, or one file after the other."));
+    }
+
+    if parts.contains_key(&Role::ControlNet) {
+        let read = graphs.iter().find(|g| parts.get(&Role::UnetRead) == Some(&g.path));
+        if !read.is_some_and(|g| g.description.inputs.iter().any(|p| p.name == control_name(0))) {
+            return Err(Error::usage(format!("a network of the family {}", family.name()))
+                .expected(format!("a {} that takes what the {} gives", Role::UnetRead.name(), Role::ControlNet.name()))
+                .found(format!("one without the inputs {} and its like", control_name(0)))
+                .advice("Export it with the thirteen inputs, or leave the ControlNet out."));
+        }
     }
 
     let used = files_of(&staging.path, &parts, &graphs)?;

@@ -216,6 +216,11 @@ pub struct Network {
 }
 
 impl Network {
+    /// Whether there is such a part.
+    pub fn has(&self, role: Role) -> bool {
+        self.manifest.parts.iter().any(|p| p.role == role)
+    }
+
     /// The file of a part.
     ///
     /// # Errors

@@ -335,3 +335,40 @@ fn external_data_comes_along_and_never_from_elsewhere() {
         assert!(error.found.contains("a link to"), "{error}");
     }
 }
+
+/// The parts of Zero123++ in a folder: stubs, a prompt of nothing, and a reading half that may be led.
+pub(crate) fn zero123(folder: &Path, read: &str, control: bool) -> PathBuf {
+    std::fs::create_dir_all(folder).unwrap();
+    for name in ["clip_vision", "vae_encoder", "unet_write", "vae_decoder", read] {
+        std::fs::copy(stub(&format!("{name}.onnx")), folder.join(format!("{name}.onnx"))).unwrap();
+    }
+    if control {
+        std::fs::copy(stub("controlnet.onnx"), folder.join("controlnet.onnx")).unwrap();
+    }
+    let (first, last) = (77 * 1024 * 4, 77 * 1024 * 4 + 77 * 4);
+    let header = format!(
+        r#"{{"prompt_embeds":{{"dtype":"F32","shape":[77,1024],"data_offsets":[0,{first}]}},"ramp":{{"dtype":"F32","shape":[77],"data_offsets":[{first},{last}]}}}}"#
+    );
+    let mut prompt = (header.len() as u64).to_le_bytes().to_vec();
+    prompt.extend(header.bytes());
+    prompt.resize(prompt.len() + last, 0);
+    std::fs::write(folder.join("prompt.safetensors"), prompt).unwrap();
+    folder.to_owned()
+}
+
+#[test]
+fn a_controlnet_needs_a_unet_that_can_be_led() {
+    let bench = Bench::new();
+    let folder = |name: &str| bench.dir.path().join(name);
+    let apart = zero123(&folder("apart"), "unet_read", true);
+    let error = bench.import(&trusting(&[apart])).unwrap_err();
+    assert!(error.kind == Kind::Usage && error.found.contains("control_00"), "{error}");
+    for (name, read, control) in
+        [("plain", "unet_read", false), ("ready", "unet_read_controlled", false), ("led", "unet_read_controlled", true)]
+    {
+        let request = Import { id: Some(name.into()), ..trusting(&[zero123(&folder(name), read, control)]) };
+        let made = bench.import(&request).unwrap();
+        let network = bench.registry.verified(&bench.registry.get(&made.id).unwrap()).unwrap();
+        assert_eq!((network.has(Role::ControlNet), network.has(Role::UnetRead)), (control, true), "{name}");
+    }
+}

@@ -19,6 +19,9 @@ const CLIP_SIDE: usize = 224;
 /// (x − 0.5) / 0.8: Zero123++ shows its VAE less contrast than Stable Diffusion does.
 const VAE: Normalise = Normalise { mean: [0.5; 3], deviation: [0.8; 3] };
 
+/// (x − 0.5) / 0.5: as the ControlNet sees its picture.
+const CONTROL: Normalise = Normalise { mean: [0.5; 3], deviation: [0.5; 3] };
+
 /// One branch of the guidance.
 pub struct Condition {
     /// 1 × 77 × 1024.
@@ -48,6 +51,13 @@ pub fn embedding(picture: &RgbImage, prompt: &Prompt, clip: &dyn Graph) -> Resul
         token.iter_mut().zip(&embeds).for_each(|(t, e)| *t += ramp * e);
     }
     Tensor::new(&[1, TOKENS, WIDTH], text)
+}
+
+/// A picture of its own size, −1 to 1, colour by colour.
+pub fn between_ones(picture: &RgbImage) -> Result<Tensor> {
+    let pixels: Vec<[f32; 3]> = picture.pixels().map(|p| p.0.map(|v| f32::from(v) / 255.0)).collect();
+    let size = [picture.width() as usize, picture.height() as usize];
+    picture::planes(&pixels, size, size, CONTROL)
 }
 
 /// A sample of the VAE's distribution over the picture's latents; no factor of 0.18215 here.

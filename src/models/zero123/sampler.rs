@@ -5,7 +5,7 @@ use image::{Rgb, RgbImage};
 use super::condition::{self, Condition, LATENT};
 use super::{Prompt, scheduler};
 use crate::models::registry::Role;
-use crate::models::registry::family::{REFERENCES, reference_name};
+use crate::models::registry::family::{CONTROLS, REFERENCES, control_name, reference_name};
 use crate::models::{Graph, Port, Tensor, take};
 use crate::progress::Progress;
 use crate::splat::train::random::Random;
@@ -47,6 +47,33 @@ pub fn six_views(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<RgbImage> {
+    drawn(picture, prompt, None, open, settings, progress)
+}
+
+/// The normals of six views, as a tile that [`crate::views::tile::normals`] reads: the sampler again, the UNet led by the
+/// ControlNet that looks at the colours of `tile`.
+///
+/// # Errors
+/// As [`six_views`].
+pub fn six_normals(
+    tile: &RgbImage,
+    picture: &RgbImage,
+    prompt: &Prompt,
+    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<RgbImage> {
+    drawn(picture, prompt, Some(tile), open, settings, progress)
+}
+
+fn drawn(
+    picture: &RgbImage,
+    prompt: &Prompt,
+    control: Option<&RgbImage>,
+    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<RgbImage> {
     // Drawn in a fixed order: the same seed, the same noise.
     let mut random = Random::new(settings.seed);
     let with = condition::embedding(picture, prompt, &*open(Role::ClipVision)?)?;
@@ -58,7 +85,11 @@ pub fn six_views(
     };
     progress.check()?;
     let latents = {
-        let unet = Unet { write: open(Role::UnetWrite)?, read: open(Role::UnetRead)? };
+        let control = match control {
+            Some(tile) => Some(Control { graph: open(Role::ControlNet)?, picture: condition::between_ones(tile)? }),
+            None => None,
+        };
+        let unet = Unet::new(open(Role::UnetWrite)?, open(Role::UnetRead)?, control)?;
         let branches = [Condition { text: without, latents: grey }, Condition { text: with, latents: seen }];
         denoise(&unet, &branches, settings, &mut random, progress)?
     };
@@ -72,9 +103,43 @@ struct Unet {
     write: Box<dyn Graph>,
     /// Noisy tile and those inputs → v.
     read: Box<dyn Graph>,
+    control: Option<Control>,
+    /// What the reading half adds to its own features where no ControlNet says more; none where it takes nothing.
+    nothing: Vec<(String, Tensor)>,
+}
+
+/// A second network beside the UNet's way down that looks at a picture.
+struct Control {
+    /// Noisy tile and picture → what is added to the UNet's features.
+    graph: Box<dyn Graph>,
+    /// [1, 3, 960, 640], −1 to 1.
+    picture: Tensor,
+}
+
+impl Control {
+    fn added(&self, sample: &Tensor, text: &Tensor, timestep: &Tensor) -> Result<Vec<(String, Tensor)>> {
+        self.graph.run(&[
+            ("sample", sample),
+            ("timestep", timestep),
+            ("encoder_hidden_states", text),
+            ("control", &self.picture),
+        ])
+    }
 }
 
 impl Unet {
+    fn new(write: Box<dyn Graph>, read: Box<dyn Graph>, control: Option<Control>) -> Result<Unet> {
+        let takes_control = read.inputs().iter().any(|p| p.name == control_name(0));
+        let zeros = |(i, [c, h, w]): (usize, [usize; 3])| {
+            Ok((control_name(i), Tensor::new(&[1, c, h, w], vec![0.0; c * h * w])?))
+        };
+        let nothing = match takes_control && control.is_none() {
+            true => CONTROLS.into_iter().enumerate().map(zeros).collect::<Result<_>>()?,
+            false => Vec::new(),
+        };
+        Ok(Unet { write, read, control, nothing })
+    }
+
     /// v of one branch. The condition carries the same noise level as the sample.
     fn v(&self, sample: &Tensor, noisy_condition: Vec<f32>, text: &Tensor, timestep: &Tensor) -> Result<Vec<f32>> {
         let condition = Tensor::new(&LATENT, noisy_condition)?;
@@ -89,6 +154,11 @@ impl Unet {
             })?;
             fed.push((name, tensor));
         }
+        let led = match &self.control {
+            Some(control) => control.added(sample, text, timestep)?,
+            None => Vec::new(),
+        };
+        fed.extend(led.iter().chain(&self.nothing).map(|(name, tensor)| (name.clone(), tensor)));
         let fed: Vec<(&str, &Tensor)> = fed.iter().map(|(n, t)| (n.as_str(), *t)).collect();
         let mut out = self.read.run(&fed)?;
         take(&mut out, "v_prediction", SAMPLE.iter().product())
@@ -106,7 +176,8 @@ fn denoise(
     let schedule = scheduler::Schedule::new(settings.steps);
     let count: usize = SAMPLE.iter().product();
     let mut x: Vec<f32> = (0..count).map(|_| schedule.first_sigma() * random.normal()).collect();
-    progress.begin("six views, by diffusion", settings.steps as u64);
+    let what = if unet.control.is_some() { "normals, by diffusion" } else { "six views, by diffusion" };
+    progress.begin(what, settings.steps as u64);
     for (i, (&time, sigmas)) in schedule.timesteps.iter().zip(schedule.sigmas.windows(2)).enumerate() {
         let [sigma, next] = [sigmas[0], sigmas[1]];
         let sample = Tensor::new(&SAMPLE, scheduler::scaled(&x, sigma))?;
@@ -226,7 +297,7 @@ mod tests {
                 self.0.run(inputs)
             }
         }
-        let unet = Unet { write: Box::new(Writing), read: Box::new(Shared(reading.clone())) };
+        let unet = Unet::new(Box::new(Writing), Box::new(Shared(reading.clone())), None).unwrap();
         let count: usize = LATENT.iter().product();
         let branch = |text: f32, latent: f32| Condition {
             text: Tensor::new(&[1, 1, 1], vec![text]).unwrap(),
@@ -253,6 +324,45 @@ mod tests {
             scheduler::step(&mut x, &vec![2.5; total], &noise, s[0], s[1]);
         }
         assert_eq!(made, x);
+    }
+
+    /// The stubs: v = … + 0.01 · Σ mean control_i, and each of the thirteen controls carries the mean of its picture.
+    #[test]
+    fn normals_are_led_by_the_colours_and_colours_by_nothing() {
+        let controlled = |role| match role {
+            Role::UnetRead => Rten.load_file(&stub("unet_read_controlled.onnx")),
+            other => open(other),
+        };
+        let time = Tensor::new(&[1], vec![3.0]).unwrap();
+        let text = Tensor::new(&[1, 77, 1024], vec![0.0; 77 * 1024]).unwrap();
+        let v = |control: Option<u8>| {
+            let picture = |level| condition::between_ones(&RgbImage::from_pixel(TILE.0, TILE.1, Rgb([level; 3])));
+            let control =
+                control.map(|l| Control { graph: open(Role::ControlNet).unwrap(), picture: picture(l).unwrap() });
+            let unet =
+                Unet::new(controlled(Role::UnetWrite).unwrap(), controlled(Role::UnetRead).unwrap(), control).unwrap();
+            let sample = Tensor::new(&SAMPLE, vec![0.0; SAMPLE.iter().product()]).unwrap();
+            unet.v(&sample, vec![0.0; LATENT.iter().product()], &text, &time).unwrap()[0]
+        };
+        let plain = v(None);
+        // 0.001 · the time, once read and sixteen times written with nothing.
+        assert!((plain - 0.003).abs() < 1e-5, "{plain}");
+        for (level, mean) in [(255, 1.0), (0, -1.0)] {
+            let led = v(Some(level));
+            assert!((led - plain - 0.13 * mean).abs() < 1e-4, "{level}: {led} beside {plain}");
+        }
+
+        let settings = Settings { steps: 2, ..Settings::default() };
+        let tile = six_views(&picture(), &prompt(), &mut { controlled }, &settings, &Silent).unwrap();
+        assert!(
+            tile == six_views(&picture(), &prompt(), &mut open, &settings, &Silent).unwrap(),
+            "zeros change nothing"
+        );
+        let normals = |tile: &RgbImage| {
+            six_normals(tile, &picture(), &prompt(), &mut { controlled }, &settings, &Silent).unwrap()
+        };
+        let white = RgbImage::from_pixel(TILE.0, TILE.1, Rgb([255; 3]));
+        assert!(normals(&tile) != tile && normals(&tile) != normals(&white) && normals(&white) == normals(&white));
     }
 
     #[test]
