@@ -115,3 +115,102 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     }
     assert!(b.refused(&["reconstruct", &alone]).contains("at least two photos"));
 }
+
+/// Nerfstudio's file of the truth's cameras, in a world that is turned, moved and three times too small, and pixels of five points
+/// of the van whose place is known.
+fn nerf_with_control(b: &Bench, to: &Path) {
+    use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+    use orb::geo::{Geodetic, HeadingSource, Placement};
+    let truth = json(&b.at("sets/01_van/truth/cameras.json"));
+    let number = |name: &str| truth[name].as_f64().unwrap();
+    let origin = Geodetic {
+        latitude: number("latitude"),
+        longitude: number("longitude"),
+        height: number("ellipsoidal_height_m"),
+    };
+    let van = Placement { origin, heading: number("heading_deg"), heading_source: HeadingSource::Given };
+    let size: Vec<f64> = serde_json::from_value(truth["size_m"].clone()).unwrap();
+    let (turn, scale, shift) =
+        (DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 0.5).normalize(), 1.1), 0.37, DVec3::new(5.0, -3.0, 2.0));
+    std::fs::create_dir_all(to.join("images")).unwrap();
+    let (mut frames, mut lines) = (Vec::new(), vec!["point,latitude,longitude,height,photo,x,y,sigma".to_owned()]);
+    let (mut file, corners) = (
+        serde_json::json!({}),
+        [[0.5, 0.5, 0.0], [-0.5, 0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, -0.5, 1.0], [0.0, 0.0, 1.0]],
+    );
+    for view in truth["views"].as_array().unwrap() {
+        let rows: [[f64; 4]; 4] = serde_json::from_value(view["w2c_opencv"].clone()).unwrap();
+        let w2c = DMat4::from_cols_array_2d(&rows).transpose();
+        let c2w = w2c.inverse();
+        let axes = DMat3::from_quat(turn) * DMat3::from_mat4(c2w) * DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0));
+        let at = scale * (turn * c2w.w_axis.truncate()) + shift;
+        let name = format!("{}.png", view["name"].as_str().unwrap());
+        let row = |i: usize| DVec4::new(axes.col(0)[i], axes.col(1)[i], axes.col(2)[i], at[i]).to_array();
+        frames.push(serde_json::json!({
+            "file_path": format!("images/{name}"), "transform_matrix": [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+        }));
+        // Anew, without the place that the made photo carries.
+        image::open(b.at("sets/01_van/photos").join(&name)).unwrap().save(to.join("images").join(&name)).unwrap();
+        let of = |name: &str| view[name].as_f64().unwrap();
+        file = serde_json::json!({ "fl_x": of("fx"), "fl_y": of("fy"), "cx": of("cx"), "cy": of("cy"), "w": of("width"), "h": of("height") });
+        for (i, corner) in corners.iter().enumerate() {
+            let p = DVec3::new(corner[0] * size[0], corner[1] * size[1], corner[2] * size[2]);
+            let (g, q) = (van.to_geodetic(p.to_array()), w2c.transform_point3(p));
+            let (x, y) = (of("fx") * q.x / q.z + of("cx"), of("fy") * q.y / q.z + of("cy"));
+            lines.push(format!("P{i},{:.9},{:.9},{:.4},{name},{x:.2},{y:.2},0.02", g.latitude, g.longitude, g.height));
+        }
+    }
+    file["frames"] = frames.into();
+    std::fs::write(to.join("transforms.json"), file.to_string()).unwrap();
+    std::fs::write(to.join("control.csv"), lines.join("\n")).unwrap();
+}
+
+#[test]
+fn control_points_place_photos_that_know_nothing_of_the_earth() {
+    let b = Bench::new("6", "256", &[]);
+    nerf_with_control(&b, &b.at("nerf"));
+    let (images, poses, control) = (b.text("nerf/images"), b.text("nerf/transforms.json"), b.text("nerf/control.csv"));
+    let made = [
+        "geo",
+        &images,
+        "--poses",
+        &poses,
+        "--format",
+        "glb",
+        "--iterations",
+        "20",
+        "--lods",
+        "1",
+        "--texture",
+        "256",
+        "--device",
+        "cpu",
+    ];
+    assert!(b.refused(&[&made[..], &["-o", "no"]].concat()).contains("--origin"), "no control points, no place");
+    let all = std::fs::read_to_string(&control).unwrap();
+    let one: Vec<&str> = all.lines().filter(|l| l.starts_with("point") || l.starts_with("P0")).collect();
+    std::fs::write(b.at("one.csv"), one.join("\n")).unwrap();
+    let refused = b.refused(&[&made[..], &["-o", "no", "--gcp", &b.text("one.csv")]].concat());
+    assert!(refused.contains("two control points or more"), "{refused}");
+
+    let told: Value =
+        serde_json::from_str(&b.good(&[&made[..], &["--gcp", &control, "--json", "-o", "van"]].concat())).unwrap();
+    b.good(&["audit", "verify", "van"]);
+    let truth = json(&b.at("sets/01_van/truth/cameras.json"));
+    let g = &told["georeference"];
+    let off = |name: &str, metres: f64| (g[name].as_f64().unwrap() - truth[name].as_f64().unwrap()) * metres;
+    let across = off("latitude", 111_200.0).hypot(off("longitude", 74_300.0));
+    assert!(across < 0.4 && off("ellipsoidal_height_m", 1.0).abs() < 0.3, "{g}");
+    assert_eq!(
+        (&g["heading_source"], &told["scale"]["source"]),
+        (&"georegistration".into(), &"georegistration".into())
+    );
+    // The world is 0.37 of the truth's metres.
+    let p = &record(&b.at("van"))["predicate"];
+    let said = p["params"]["world_to_unit"].as_str().unwrap();
+    let unit: f64 = said.split_whitespace().nth(1).unwrap().parse().unwrap();
+    let metres = told["scale"]["metres_per_unit"].as_f64().unwrap() * unit;
+    assert!((metres * 0.37 - 1.0).abs() < 0.005, "{metres}");
+    let roles: Vec<&str> = p["inputs"].as_array().unwrap().iter().map(|i| i["role"].as_str().unwrap()).collect();
+    assert!(roles.contains(&"control-points") && roles.contains(&"poses"), "{roles:?}");
+}

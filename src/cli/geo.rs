@@ -262,7 +262,10 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     if front.one().is_none() {
         args.networks.check_built_in()?;
     }
-    plan.wanted.check(front.exif())?;
+    let by_control = plan.wanted.origin.is_none() && front.has_control();
+    if !by_control {
+        plan.wanted.check(front.exif())?;
+    }
     let inputs =
         [front.carried().to_vec(), plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
     let handling = args.publish.marking.decide(&inputs, &time::now()?.utc())?;
@@ -302,6 +305,9 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         None => networks::Chosen { sources: Sources::default(), inputs: Vec::new() },
     };
     let fixes = front.fixes(plan.wanted.datum)?;
+    if by_control {
+        plan.wanted.check_control(&fixes, args.seed)?;
+    }
     let (photo, fitted) = front.fit(&chosen.sources, &args.photos, &fixes, fitter, &settings, &bar)?;
     let mut done = pipeline::finish(fitted, &settings, &bar)?;
     bar.begin("writing and sealing", 0);

@@ -143,6 +143,11 @@ impl Front {
         }
     }
 
+    /// Whether there are control points: then no photo needs a place of its own.
+    pub fn has_control(&self) -> bool {
+        matches!(self, Front::Several(folder) if folder.control.is_some())
+    }
+
     /// The version of COLMAP, where it ran.
     pub fn colmap(&self) -> Option<&str> {
         match self {

@@ -12,6 +12,7 @@ use crate::audit::statement::{Input, Param};
 use crate::export::ToMetres;
 use crate::geo::dem::{Dem, Fit};
 use crate::geo::scale::{ASSUMED_CAMERA_HEIGHT, By, Estimate, Hints, Measured};
+use crate::geo::similarity::Similarity;
 use crate::geo::{
     self, AltDatum, Extents, Geodetic, HeadingSource, Height, Placement, Scale, ScaleSource, Uncertainty, View,
     footprint, magnetic, sight,
@@ -102,8 +103,27 @@ impl Wanted {
     /// No origin and a photo without a position; a position without a height, or beside the terrain.
     pub fn check(&mut self, exif: &Exif) -> Result<()> {
         let anchor = self.anchor(exif)?;
+        self.check_terrain(anchor.latitude, anchor.longitude)
+    }
+
+    /// As [`Wanted::check`], where control points say the place in the origin's stead.
+    ///
+    /// # Errors
+    /// Points that give no place; points beside the terrain.
+    pub fn check_control(&mut self, fixes: &[Fix], seed: u64) -> Result<()> {
+        let points: Vec<&Fix> = fixes.iter().filter(|f| f.control).collect();
+        match points.first().filter(|_| register::register(fixes, &Similarity::IDENTITY, seed).is_some()) {
+            Some(point) => self.check_terrain(point.place.latitude, point.place.longitude),
+            None => Err(Error::usage("--gcp")
+                .expected("two control points or more, apart and not above each other")
+                .found(format!("{}", points.len()))
+                .advice("Add points, or give the place: --origin.")),
+        }
+    }
+
+    fn check_terrain(&mut self, latitude: f64, longitude: f64) -> Result<()> {
         match &mut self.terrain {
-            Some(t) => t.dem.ground(anchor.latitude, anchor.longitude).map(drop),
+            Some(t) => t.dem.ground(latitude, longitude).map(drop),
             None => Ok(()),
         }
     }
