@@ -273,7 +273,8 @@ impl SigningKey {
         };
         if !self.public.algorithms().contains(&algorithm) {
             let names: Vec<&str> = self.public.algorithms().iter().map(|a| a.name()).collect();
-            return Err(refused(names.join(" or ")));
+            let advice = if self.source == KeySource::Token { token::NOT_IN_TOKENS } else { "" };
+            return Err(refused(names.join(" or ")).advice(advice));
         }
         if algorithm == Algorithm::Rs384 && self.public.short_bits().is_some() {
             return Err(refused(format!("an RSA key of {ADVISED_BITS} bits or more")));

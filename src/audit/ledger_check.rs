@@ -1,6 +1,8 @@
 //! Checks a ledger from its first record to its last, offline, and says how much of it is anchored: covered by a
 //! checkpoint that was kept elsewhere. Records are read in batches, so memory does not grow with the ledger, but for
-//! the 16 bytes of each event's identity.
+//! the 16 bytes of each event's identity and the clocks of each start of the machine.
+
+mod boots;
 
 use std::collections::{BTreeSet, HashSet};
 use std::fs::{self, File};
@@ -26,6 +28,7 @@ use super::time;
 use super::trust::{CertChain, Signed, TrustStore};
 use super::verify::read_record;
 use crate::{Error, Result};
+use boots::Boots;
 
 /// Records that are read and checked at a time.
 const BATCH: usize = 256;
@@ -211,6 +214,7 @@ struct Walk<'a> {
     /// The last record that is none of [`LOOKS`].
     last_to_anchor: Option<u64>,
     before_ms: u64,
+    boots: Boots,
     events: HashSet<u128>,
     anchors: Vec<Anchor>,
     marking: Option<Marking>,
@@ -237,6 +241,7 @@ impl<'a> Walk<'a> {
             before: None,
             last_to_anchor: None,
             before_ms: 0,
+            boots: Boots::default(),
             events: HashSet::new(),
             anchors: Vec::new(),
             marking: None,
@@ -316,7 +321,9 @@ impl<'a> Walk<'a> {
             self.find(Finding::new("REPLAY", "event.id").actual(&p.event.id));
         }
         let at = time::parse_utc(&p.time.utc).unwrap_or_default();
-        if at + TIME_GRACE_MS < self.before_ms {
+        let grace_ms = self.request.policy.time_grace_ms.unwrap_or(TIME_GRACE_MS);
+        let is_before = at.saturating_add(grace_ms) < self.before_ms;
+        if is_before {
             self.find(
                 Finding::new("TIME_ROLLBACK", "time.utc")
                     .expected(format!("not before {}", time::format_utc(self.before_ms)))
@@ -324,6 +331,12 @@ impl<'a> Walk<'a> {
             );
         }
         self.before_ms = self.before_ms.max(at);
+        for finding in self.boots.step(&p.time, grace_ms) {
+            // Seen by the dates alone, and told above.
+            if !(is_before && finding.code == "TIME_ROLLBACK" && finding.subject == "time.utc") {
+                self.find(finding);
+            }
+        }
         if let Some(leaf) = p.trail_hash.as_deref().and_then(checkpoint::record_leaf) {
             self.tree.push(leaf);
         }

@@ -17,6 +17,7 @@ pub mod events;
 pub mod evidence;
 pub mod inband;
 pub mod interchange;
+pub mod invocation;
 pub mod keys;
 pub mod ledger;
 pub mod ledger_check;

@@ -21,6 +21,7 @@ use super::marking::{Ism, Profile};
 use super::record::{self, RecordDraft, Sealed};
 use super::statement::{Outcome, Subject};
 use super::store_merge::PreparedMerge;
+use super::time::TimeReading;
 use super::trust::CertChain;
 use crate::{Error, Result};
 use place::{beside, check_free, exchange, lock_dir, parent_and_name, put_in_place, sweep};
@@ -101,8 +102,12 @@ pub struct Published {
     pub seq: u64,
     pub ledger_id: String,
     pub trail_hash: String,
-    /// The signing key's fingerprint.
+    /// When the record was made, and how well that is known.
+    pub time: TimeReading,
+    /// The fingerprint of the key that the record names first.
     pub signed_by: String,
+    /// Those of the keys that sign together with it.
+    pub also_signed_by: Vec<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -250,7 +255,7 @@ impl Publication {
             let _ = ledger.append(key, correct, |_, _| Ok(()));
             return Err(error);
         }
-        Ok(self.into_published(recorded.into_sealed(), key))
+        Ok(self.into_published(recorded.into_sealed(), draft.time.clone(), key))
     }
 
     /// A second digest of every file, for who accepts no SHA-256.
@@ -322,15 +327,18 @@ impl Publication {
         }
     }
 
-    fn into_published(self, sealed: Sealed, key: &SigningKey) -> Published {
+    fn into_published(self, sealed: Sealed, time: TimeReading, key: &SigningKey) -> Published {
         let chain = &sealed.statement.predicate.chain;
+        let mut signers = key.all().map(|k| k.public().fingerprint().to_owned());
         Published {
             folder: self.destination.clone(),
             outputs: sealed.statement.subject.iter().map(output).collect(),
             seq: chain.seq,
             ledger_id: chain.ledger_id.clone(),
             trail_hash: sealed.trail_hash,
-            signed_by: key.public().fingerprint().to_owned(),
+            time,
+            signed_by: signers.next().unwrap_or_default(),
+            also_signed_by: signers.collect(),
         }
     }
 

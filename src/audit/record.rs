@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::canonical::{Fault, sha256_hex};
 use super::dsse::{Envelope, PAYLOAD_TYPE};
+use super::invocation::{Invocation, host_id};
 use super::keys::SigningKey;
 use super::marking::Marking;
 use super::marking::handling::{Handling, check_not_below};
@@ -11,7 +12,7 @@ use super::statement::{
     Actor, Annotations, Chain, CoSigner, Crypto, Digests, Event, EventSource, Input, MarkingBlock, Model, Outcome,
     Param, Place, Predicate, STATEMENT_TYPE, Statement, Subject, Time, Tool,
 };
-use super::statement::{PREDICATE_TYPE, SCHEMA};
+use super::statement::{PREDICATE_TYPE, SCHEMA, SCHEMA_MINOR};
 use super::time::TimeReading;
 use super::trust::CertChain;
 use crate::{Error, Result};
@@ -24,8 +25,7 @@ pub struct RecordDraft {
     pub time: TimeReading,
     /// Ten random bytes for the event's UUID.
     pub event_random: [u8; 10],
-    /// The operating system's name of the user; see [`operator_from`].
-    pub operator_id: String,
+    pub invocation: Invocation,
     /// The verb: `orb geo`.
     pub command: String,
     pub inputs: Vec<Input>,
@@ -37,13 +37,13 @@ pub struct RecordDraft {
 }
 
 impl RecordDraft {
-    /// Of something that happened without inputs and outputs, by this program for this user.
+    /// Of something that happened without inputs and outputs, in this process.
     pub fn event(kind: &str, command: &str, time: TimeReading, random: [u8; 10], handling: Handling) -> RecordDraft {
         RecordDraft {
             event_type: kind.into(),
             time,
             event_random: random,
-            operator_id: operator_from(|name| std::env::var(name).ok()),
+            invocation: Invocation::of_this_process(),
             command: command.into(),
             inputs: Vec::new(),
             models: Vec::new(),
@@ -141,29 +141,26 @@ pub fn compose(
         seq: 0,
         prev: super::statement::GENESIS.to_owned(),
     });
+    let by = &draft.invocation;
     let mut statement = Statement {
         statement_type: STATEMENT_TYPE.into(),
         subject,
         predicate_type: PREDICATE_TYPE.into(),
         predicate: Predicate {
             schema: SCHEMA.into(),
-            schema_minor: match () {
-                () if key.partner().is_some() => 3,
-                () if key.chain().is_some() || draft.tool.sbom_sha256.is_some() => 2,
-                () => u32::from(authority.is_some() || designation.is_some()),
-            },
+            schema_minor: SCHEMA_MINOR,
             event: Event { id, kind: draft.event_type.clone(), outcome, error_code: error_code.map(str::to_owned) },
-            chain,
-            time: Time {
-                utc: draft.time.utc(),
-                source: draft.time.source,
-                sync_status: draft.time.sync_status,
-                offset_us: draft.time.offset_us,
-                max_error_us: draft.time.max_error_us,
+            time: Time::of(&draft.time),
+            place: Place {
+                os: std::env::consts::OS.into(),
+                arch: std::env::consts::ARCH.into(),
+                hostname: None,
+                host_id: by.machine_id.as_deref().map(|id| host_id(id, &chain.ledger_id)),
+                container: by.container.clone(),
             },
-            place: Place { os: std::env::consts::OS.into(), arch: std::env::consts::ARCH.into(), hostname: None },
+            chain,
             actor: Actor {
-                operator_id: key.chain().map_or_else(|| draft.operator_id.clone(), |c| printable(c.operator())),
+                operator_id: key.chain().map_or_else(|| by.operator_id.clone(), |c| printable(c.operator())),
                 auth: if key.chain().is_some() { "pki" } else { "os-user" }.into(),
                 key_fingerprint: fingerprint.clone(),
                 algorithm: key.algorithm().name().into(),
@@ -171,7 +168,13 @@ pub fn compose(
                 cert_chain_sha256: key.chain().map(CertChain::sha256),
                 co_signers: key.partner().map(|other| vec![CoSigner::of(other)]),
             },
-            source: EventSource { command: draft.command.clone(), interface: "cli".into(), argv_redacted: None },
+            source: EventSource {
+                command: draft.command.clone(),
+                interface: "cli".into(),
+                argv_redacted: None,
+                cwd_rel: by.cwd_rel.clone(),
+                request_id: by.request_id.clone(),
+            },
             inputs: draft.inputs.clone(),
             models: draft.models.clone(),
             params: draft.params.clone(),
@@ -254,12 +257,6 @@ pub fn model_not_used(id: &str) -> Model {
     }
 }
 
-/// The user's name as the environment gives it; `unknown` when it does not.
-pub fn operator_from(var: impl Fn(&str) -> Option<String>) -> String {
-    let name = ["USER", "LOGNAME", "USERNAME"].into_iter().find_map(|n| var(n).filter(|v| !v.trim().is_empty()));
-    printable(name.as_deref().unwrap_or("unknown"))
-}
-
 /// Control characters, which a record cannot hold, replaced.
 pub fn printable(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
@@ -279,7 +276,12 @@ pub fn uuid_v7(unix_ms: u64, random: [u8; 10]) -> String {
     let mut b = [0; 16];
     b[..6].copy_from_slice(&unix_ms.to_be_bytes()[2..]);
     b[6..].copy_from_slice(&random);
-    b[6] = 0x70 | (b[6] & 0x0f);
+    uuid(b, 7)
+}
+
+/// The bytes as a UUID of a version (RFC 9562 §4): six of their bits give way to version and variant.
+pub(super) fn uuid(mut b: [u8; 16], version: u8) -> String {
+    b[6] = version << 4 | (b[6] & 0x0f);
     b[8] = 0x80 | (b[8] & 0x3f);
     let h = hex::encode(b);
     format!("{}-{}-{}-{}-{}", &h[..8], &h[8..12], &h[12..16], &h[16..20], &h[20..])

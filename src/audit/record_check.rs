@@ -21,6 +21,8 @@ pub struct Policy<'a> {
     pub models: Option<&'a [String]>,
     /// No verdict while an input was not compared.
     pub require_inputs: bool,
+    /// In place of [`super::ledger_check::TIME_GRACE_MS`].
+    pub time_grace_ms: Option<u64>,
 }
 
 /// A record against a policy: `TIME_UNSYNCED` as an error, `MODEL_NOT_ALLOWED`.

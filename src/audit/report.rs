@@ -111,7 +111,8 @@ fn weight(code: &str) -> (Severity, Verdict) {
         | "TIME_STAMP_UNTRUSTED"
         | "SEAL_FILE_MISSING"
         | "PROOF_MISSING"
-        | "INCOMPLETE_APPEND" => (Severity::Warning, Verdict::Pass),
+        | "INCOMPLETE_APPEND"
+        | "TIME_STEPPED" => (Severity::Warning, Verdict::Pass),
         "RECORD_MISSING" | "TRUST_STORE_EMPTY" | "ANCHOR_REQUIRED" => (Severity::Error, Verdict::Incomplete),
         "ALG_REFUSED" | "MARKING_UNSUPPORTED" | "KEY_SCOPE" | "MODEL_NOT_ALLOWED" => {
             (Severity::Error, Verdict::Refused)
@@ -133,7 +134,8 @@ fn controls(code: &str) -> &'static [&'static str] {
         | "TIME_STAMP_INVALID"
         | "TIME_FUTURE"
         | "TIME_UNSYNCED"
-        | "TIME_ROLLBACK" => &["au-8"],
+        | "TIME_ROLLBACK"
+        | "TIME_STEPPED" => &["au-8"],
         "MARKING_DOWNGRADE" | "MARKING_INBAND_MISMATCH" | "MARKING_UNSUPPORTED" => &["mp-3", "ac-16"],
         "SCHEMA_INVALID" | "TYPE_UNSUPPORTED" | "RECORD_MISSING" => &["au-3", "au-12"],
         _ => &["au-9.3"],
@@ -180,6 +182,10 @@ fn hint(code: &str) -> &'static str {
         "CHAIN_BROKEN" => "The record before this one is not the one that this record was made after.",
         "REPLAY" => "The same event stands twice.",
         "TIME_ROLLBACK" => "The clock was set back between two records, or one of them states a wrong time.",
+        "TIME_STEPPED" => {
+            "The clock was set forward between two records, or the machine was halted meanwhile: those before it may be dated too \
+             early."
+        }
         "TRUNCATED" => "Records were cut off the end. Look for a copy that is longer.",
         "HEAD_FORK" => {
             "A checkpoint was signed over other records than these: the ledger was rewritten by someone who holds its key."

@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
 
 use super::canonical::{self, Fault, Json};
 use super::keys::SigningKey;
@@ -13,13 +14,15 @@ use super::marking::authority::{Authority, Designation};
 pub use super::marking::{Ism, Profile};
 use super::sbom;
 use super::time;
-use super::time::{Source, SyncStatus};
+use super::time::{Source, SyncStatus, TimeReading};
 
 /// in-toto Attestation Framework, Statement v1.
 pub const STATEMENT_TYPE: &str = "https://in-toto.io/Statement/v1";
 /// A name, not an address: `.invalid` belongs to nobody (RFC 2606), and nothing is ever fetched.
 pub const PREDICATE_TYPE: &str = "https://orb.invalid/orb/audit-record/v1";
 pub const SCHEMA: &str = "orb.audit/v1";
+/// Of the records that this program writes. It reads those of every minor version: later ones only add fields.
+pub const SCHEMA_MINOR: u32 = 4;
 /// JSON Schema (draft 2020-12) of a record's payload.
 pub const RECORD_SCHEMA: &str = include_str!("../../docs/record.schema.json");
 /// `chain.prev` of a ledger's first record.
@@ -128,6 +131,51 @@ pub struct Time {
     pub offset_us: Option<i64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_error_us: Option<i64>,
+    /// Of the server that was asked; this and the following since minor version 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stratum: Option<u8>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference: Option<String>,
+    /// The kernel's random name of the machine's start. Never without `monotonic_ms`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boot_id: Option<String>,
+    /// Milliseconds since then, on a clock that nobody can set.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub monotonic_ms: Option<u64>,
+}
+
+impl Time {
+    pub fn of(reading: &TimeReading) -> Time {
+        let since_boot = reading.since_boot.as_ref();
+        Time {
+            utc: reading.utc(),
+            source: reading.source,
+            sync_status: reading.sync_status,
+            offset_us: reading.offset_us,
+            max_error_us: reading.max_error_us,
+            stratum: reading.stratum,
+            reference: reading.reference.clone(),
+            boot_id: since_boot.map(|b| b.boot_id.clone()),
+            monotonic_ms: since_boot.map(|b| b.milliseconds),
+        }
+    }
+
+    fn check(&self) -> Result<(), String> {
+        if time::parse_utc(&self.utc).is_none() {
+            return Err(format!("time.utc {:?}: expected YYYY-MM-DDTHH:MM:SS.mmmZ", self.utc));
+        }
+        if let Some(n) = self.stratum.filter(|n| !(1..=15).contains(n)) {
+            return Err(format!("time.stratum {n}: expected 1 to 15"));
+        }
+        match (&self.boot_id, self.monotonic_ms) {
+            (None, None) => Ok(()),
+            (Some(id), Some(_)) if time::is_boot_id(id) => Ok(()),
+            (Some(id), Some(_)) => {
+                Err(format!("time.boot_id {id:?}: expected lower-case hexadecimal digits as of a UUID"))
+            }
+            _ => Err("time.boot_id and time.monotonic_ms: expected both or neither".into()),
+        }
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -137,6 +185,12 @@ pub struct Place {
     pub arch: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hostname: Option<String>,
+    /// SHA-256 that tells the machines of one ledger apart and says nothing else about them; since minor version 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub host_id: Option<String>,
+    /// What runs the container, where it was in one; since minor version 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub container: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -177,6 +231,23 @@ pub struct EventSource {
     pub interface: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub argv_redacted: Option<Vec<String>>,
+    /// The working folder as seen from the user's home folder, where it is below; since minor version 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cwd_rel: Option<String>,
+    /// The same in every record of one call; since minor version 4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub request_id: Option<String>,
+}
+
+impl EventSource {
+    fn check(&self) -> Result<(), String> {
+        // As a record's own system spells a root: `/x`, `\\x`, `C:x`.
+        let is_absolute = |path: &str| path.starts_with(['/', '\\']) || path.get(1..2) == Some(":");
+        match &self.cwd_rel {
+            Some(path) if is_absolute(path) => Err(format!("source.cwd_rel {path:?}: expected a relative path")),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Something that the run read.
@@ -304,6 +375,13 @@ impl Statement {
         let statement: Statement = serde_json::from_slice(payload).map_err(|error| Fault::Schema(error.to_string()))?;
         statement.check_values().map_err(Fault::Schema)?;
         let canonical = canonical::is_canonical(&json, payload);
+        if canonical && let Some([before, after]) = around_trail_hash(payload) {
+            return Ok((
+                statement,
+                canonical,
+                hex::encode(Sha256::new().chain_update(before).chain_update(after).finalize()),
+            ));
+        }
         if let Json::Map(all) = &mut json
             && let Some(Json::Map(predicate)) = all.get_mut("predicate")
         {
@@ -366,8 +444,10 @@ impl Statement {
         for other in p.actor.co_signers.iter().flatten() {
             hex("actor.co_signers.key_fingerprint", &other.key_fingerprint, 64)?;
         }
-        if time::parse_utc(&p.time.utc).is_none() {
-            return Err(format!("time.utc {:?}: expected YYYY-MM-DDTHH:MM:SS.mmmZ", p.time.utc));
+        p.time.check()?;
+        p.source.check()?;
+        if let Some(host_id) = &p.place.host_id {
+            hex("where.host_id", host_id, 64)?;
         }
         if let Some(sha256) = &p.tool.sbom_sha256 {
             hex("tool.sbom_sha256", sha256, 64)?;
@@ -391,6 +471,17 @@ impl Statement {
     pub fn to_json(&self) -> Result<Json, Fault> {
         canonical::parse(&self.to_payload()?)
     }
+}
+
+/// The bytes of a canonical record before and after its trail hash: as they would be without it.
+///
+/// Quotes inside of text are escaped, so these bytes are a member's name wherever they stand; the predicate's stands last, as
+/// nothing after it in the order of RFC 8785 has one of that name.
+fn around_trail_hash(payload: &[u8]) -> Option<[&[u8]; 2]> {
+    const NAME: &[u8] = br#","trail_hash":""#;
+    let at = payload.windows(NAME.len()).rposition(|w| w == NAME)?;
+    let after = at + NAME.len() + 64 + 1;
+    Some([payload.get(..at)?, payload.get(after..)?])
 }
 
 fn same(field: &str, expected: &str, found: &str) -> Result<(), String> {

@@ -5,6 +5,8 @@
 
 // Made where every algorithm is known; run everywhere.
 #[cfg(not(feature = "fips"))]
+mod clocks;
+#[cfg(not(feature = "fips"))]
 mod folders;
 #[cfg(not(feature = "fips"))]
 mod ledgers;
@@ -92,6 +94,7 @@ fn judge(root: &Path, case: &Case) -> crate::Result<Report> {
         require_time_sync: has("--require-time-sync"),
         require_inputs: has("--require-inputs"),
         models: models.as_deref(),
+        time_grace_ms: value("--time-grace").map(|seconds| seconds.parse::<u64>().unwrap() * 1000),
     };
     let beside: Vec<PathBuf> = case.beside.iter().map(|name| root.join(name)).collect();
     let weights: Vec<PathBuf> = value("--weights").map(|name| root.join(name)).into_iter().collect();

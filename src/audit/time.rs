@@ -1,10 +1,13 @@
 //! The UTC time of a run, and how much it can be trusted. Read once; everything else takes it as a value.
 
+mod ntp;
+
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Error, Result};
+pub use ntp::ask_server;
 
 /// Where a time comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -30,16 +33,30 @@ pub enum SyncStatus {
 }
 
 /// One reading of the clock.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TimeReading {
     /// Milliseconds since 1970-01-01T00:00:00Z, leap seconds not counted.
     pub unix_ms: u64,
     pub source: Source,
     pub sync_status: SyncStatus,
-    /// The kernel's estimate of its offset from the reference, microseconds.
+    /// Offset from the reference, microseconds: by the kernel's estimate, or by the answer of the server that was asked.
     pub offset_us: Option<i64>,
-    /// The kernel's bound on its error, microseconds.
+    /// The kernel's bound on its error, or what the way to the server and back can hide, microseconds.
     pub max_error_us: Option<i64>,
+    /// How many servers lie between the one that was asked and a reference clock, itself counted (RFC 5905 §7.3).
+    pub stratum: Option<u8>,
+    /// The server that was asked, and in brackets what it says that it follows itself.
+    pub reference: Option<String>,
+    /// Read at the same moment; nobody can set it.
+    pub since_boot: Option<SinceBoot>,
+}
+
+/// The time since this machine started, its sleep counted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SinceBoot {
+    /// The kernel's random name of this start: 32 hexadecimal digits in the groups of a UUID.
+    pub boot_id: String,
+    pub milliseconds: u64,
 }
 
 impl TimeReading {
@@ -53,8 +70,9 @@ impl TimeReading {
         if let (Source::NtpQuery, Some(offset), Some(error)) = (self.source, self.offset_us, self.max_error_us) {
             let (offset, error) = (offset.div_euclid(1000), error.div_euclid(1000));
             return format!(
-                "{} (an NTP server was asked: clock off by {offset} ms, error at most {error} ms)",
-                self.utc()
+                "{} (NTP server {} was asked: the local clock was off by {offset} ms, the way hides at most {error} ms)",
+                self.utc(),
+                self.reference.as_deref().unwrap_or("of no name")
             );
         }
         let quality = match (self.sync_status, self.max_error_us) {
@@ -87,41 +105,36 @@ pub fn now() -> Result<TimeReading> {
     if unix_ms > LAST_MS {
         return Err(wrong());
     }
+    let since_boot = since_boot();
     let (source, sync_status, offset_us, max_error_us) = kernel_quality();
-    Ok(TimeReading { unix_ms, source, sync_status, offset_us, max_error_us })
+    let (stratum, reference) = (None, None);
+    Ok(TimeReading { unix_ms, source, sync_status, offset_us, max_error_us, stratum, reference, since_boot })
 }
 
-/// Asks an NTP server (SNTP, RFC 4330) and corrects the reading by its answer. The only network access that Orb has; made
-/// only when a user names a server.
-///
-/// # Errors
-/// [`crate::Kind::Environment`] when it does not answer, or says itself that it does not know the time.
-pub fn ask_server(server: &str, local: TimeReading) -> Result<TimeReading> {
-    let failed = |found: String| {
-        Error::environment(format!("--ntp-server {server}"))
-            .expected("an answer of a time server that is synchronised")
-            .found(found)
-            .advice("Without --ntp-server the record states what the kernel says of its own clock.")
-    };
-    let client = rsntp::SntpClient::with_config(rsntp::Config::default().timeout(NTP_TIMEOUT));
-    let answer = client.synchronize(server).map_err(|e| failed(e.to_string()))?;
-    if answer.leap_indicator() == rsntp::LeapIndicator::AlarmCondition {
-        return Err(failed("a server whose own clock is not synchronised".into()));
+/// As Linux spells the name of its start; anything else is passed over.
+pub fn is_boot_id(text: &str) -> bool {
+    let groups: Vec<&str> = text.split('-').collect();
+    let digits = |g: &&str| g.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b));
+    groups.iter().map(|g| g.len()).eq([8, 4, 4, 4, 12]) && groups.iter().all(digits)
+}
+
+#[cfg(target_os = "linux")]
+fn since_boot() -> Option<SinceBoot> {
+    let mut at = libc::timespec { tv_sec: 0, tv_nsec: 0 };
+    // SAFETY: `at` is ours and lives through the call, which writes to nothing else.
+    if unsafe { libc::clock_gettime(libc::CLOCK_BOOTTIME, &mut at) } != 0 {
+        return None;
     }
-    let micros = |seconds: f64| (seconds * 1e6).round() as i64;
-    let offset_us = micros(answer.clock_offset().as_secs_f64());
-    let unix_ms = local.unix_ms.checked_add_signed(offset_us.div_euclid(1000)).filter(|ms| *ms <= LAST_MS);
-    Ok(TimeReading {
-        unix_ms: unix_ms.ok_or_else(|| failed("a time outside 1970 to 9999".into()))?,
-        source: Source::NtpQuery,
-        sync_status: SyncStatus::Synchronised,
-        offset_us: Some(offset_us),
-        // RFC 5905 §11.1: half of the way there and back bounds what the way can hide.
-        max_error_us: Some(micros(answer.round_trip_delay().as_secs_f64().abs() / 2.0)),
-    })
+    let boot_id = std::fs::read_to_string("/proc/sys/kernel/random/boot_id").ok()?.trim().to_owned();
+    #[allow(clippy::useless_conversion)] // the fields' width differs between targets
+    let (seconds, nanoseconds) = (u64::try_from(at.tv_sec).ok()?, u64::try_from(at.tv_nsec).ok()?);
+    is_boot_id(&boot_id).then_some(SinceBoot { boot_id, milliseconds: seconds * 1000 + nanoseconds / 1_000_000 })
 }
 
-const NTP_TIMEOUT: std::time::Duration = std::time::Duration::from_secs(5);
+#[cfg(not(target_os = "linux"))]
+fn since_boot() -> Option<SinceBoot> {
+    None
+}
 
 type Quality = (Source, SyncStatus, Option<i64>, Option<i64>);
 
@@ -213,109 +226,4 @@ fn days_from_civil(year: u64, month: u64, day: u64) -> Option<u64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-
-    /// Seconds from `date -u -d … +%s`.
-    #[test]
-    fn known_dates() {
-        for (unix_s, text) in [
-            (0, "1970-01-01T00:00:00.000Z"),
-            (951_782_400, "2000-02-29T00:00:00.000Z"),
-            (1_709_164_799, "2024-02-28T23:59:59.000Z"),
-            (1_709_251_200, "2024-03-01T00:00:00.000Z"),
-            (4_107_542_400, "2100-03-01T00:00:00.000Z"),
-            (253_402_300_799, "9999-12-31T23:59:59.000Z"),
-        ] {
-            assert_eq!(format_utc(unix_s * 1000), text);
-            assert_eq!(parse_utc(text), Some(unix_s * 1000));
-        }
-        assert_eq!(format_utc(1_795_224_582_120), "2026-11-21T01:29:42.120Z");
-    }
-
-    #[test]
-    fn not_a_time() {
-        for text in [
-            "",
-            "2026-11-21T01:29:42Z",
-            "2026-11-21T01:29:42.120+00:00",
-            "2026-11-21 01:29:42.120Z",
-            "2026-02-29T00:00:00.000Z",
-            "2026-13-01T00:00:00.000Z",
-            "2026-00-01T00:00:00.000Z",
-            "2026-01-00T00:00:00.000Z",
-            "2026-01-01T24:00:00.000Z",
-            "2026-01-01T00:60:00.000Z",
-            "2026-01-01T00:00:60.000Z",
-            "+026-01-01T00:00:00.000Z",
-            "1969-12-31T23:59:59.999Z",
-            "2026-11-21T01:29:42.12éZ",
-        ] {
-            assert_eq!(parse_utc(text), None, "{text}");
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn formatting_and_reading_are_inverse(ms in 0..=LAST_MS) {
-            let text = format_utc(ms);
-            prop_assert_eq!(text.len(), 24);
-            prop_assert_eq!(parse_utc(&text), Some(ms));
-        }
-
-        #[test]
-        fn later_is_greater_as_text(a in 0..=LAST_MS, b in 0..=LAST_MS) {
-            prop_assert_eq!(a.cmp(&b), format_utc(a).cmp(&format_utc(b)));
-        }
-    }
-
-    /// A server on this machine that answers one request (RFC 5905 §7.3), ten seconds ahead; with `leap` 3 it is itself
-    /// not synchronised.
-    fn server(leap: u8) -> std::net::SocketAddr {
-        let socket = std::net::UdpSocket::bind(("127.0.0.1", 0)).unwrap();
-        let at = socket.local_addr().unwrap();
-        std::thread::spawn(move || {
-            let mut request = [0; 48];
-            let (_, client) = socket.recv_from(&mut request).unwrap();
-            let since_1900 = |ahead: f64| {
-                let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap().as_secs_f64() + 2_208_988_800.0 + ahead;
-                ((now.trunc() as u64) << 32 | (now.fract() * 4_294_967_296.0) as u64).to_be_bytes()
-            };
-            let mut answer = [0; 48];
-            answer[0] = leap << 6 | 4 << 3 | 4;
-            answer[1] = 2;
-            answer[12..16].copy_from_slice(&[127, 0, 0, 1]);
-            answer[16..24].copy_from_slice(&since_1900(0.0));
-            answer[24..32].copy_from_slice(&request[40..48]);
-            answer[32..40].copy_from_slice(&since_1900(10.0));
-            answer[40..48].copy_from_slice(&since_1900(10.0));
-            socket.send_to(&answer, client).unwrap();
-        });
-        at
-    }
-
-    #[test]
-    fn a_server_that_was_named() {
-        let local = now().unwrap();
-        let asked = ask_server(&server(0).to_string(), local).unwrap();
-        assert_eq!((asked.source, asked.sync_status), (Source::NtpQuery, SyncStatus::Synchronised));
-        assert!((asked.unix_ms - local.unix_ms).abs_diff(10_000) < 1000, "{asked:?}");
-        assert!(asked.describe().contains("an NTP server was asked"), "{}", asked.describe());
-        let error = ask_server(&server(3).to_string(), local).unwrap_err();
-        assert_eq!(error.kind, crate::Kind::Environment);
-    }
-
-    #[test]
-    fn the_clock_of_this_machine() {
-        let reading = now().unwrap();
-        assert!(reading.unix_ms > parse_utc("2024-01-01T00:00:00.000Z").unwrap());
-        // A local reading never claims more than the kernel says.
-        assert!(matches!(reading.source, Source::Kernel | Source::None));
-        if reading.source == Source::None {
-            assert_eq!(reading.sync_status, SyncStatus::Unknown);
-        }
-        assert!(!reading.describe().contains("NTP"));
-    }
-}
+mod tests;

@@ -286,7 +286,7 @@ mod tests {
         assert!(code == 0 && found.contains(&"TIME_STAMPED"), "{found:?}");
         let (code, found) = check(TrustStore::default());
         assert!(code == 0 && found.contains(&"TIME_STAMP_UNTRUSTED"), "{found:?}");
-        let commands = by_hand::openssl_commands(&out).unwrap();
+        let commands = by_hand::openssl_commands(&out, by_hand::Beside::default()).unwrap();
         assert!(commands.contains("openssl ts -verify"), "{commands}");
         stamp(b"another record");
         let (code, found) = check(store_with(&pki, &[]));

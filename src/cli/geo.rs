@@ -374,7 +374,6 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         total: started.elapsed(),
         placed: &placed,
         marking: &product,
-        time: &reading,
         store_model: store_model.as_deref(),
         steps_planned: settings.iterations,
         verbose: args.verbose,

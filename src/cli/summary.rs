@@ -6,7 +6,6 @@ use std::time::Duration;
 use super::geo::Placed;
 use crate::audit::marking::Marking;
 use crate::audit::publication::Published;
-use crate::audit::time::TimeReading;
 use crate::geo::scale::with_deviation;
 use crate::models::prior;
 use crate::pipeline::several::Role;
@@ -21,7 +20,6 @@ pub struct Summary<'a> {
     pub total: Duration,
     pub placed: &'a Placed,
     pub marking: &'a Marking,
-    pub time: &'a TimeReading,
     /// Name of the model in the CDB store.
     pub store_model: Option<&'a str>,
     pub steps_planned: u32,
@@ -77,10 +75,13 @@ pub fn text(s: &Summary) -> String {
     for (name, words) in &s.photos {
         line(name, words.clone());
     }
-    line("time", s.time.describe());
+    line("time", s.published.time.describe());
     line("record", format!("{} of ledger {}", s.published.seq, s.published.ledger_id));
     line("trail hash", s.published.trail_hash.clone());
     line("signed by", s.published.signed_by.clone());
+    for also in &s.published.also_signed_by {
+        line("and by", also.clone());
+    }
     let stages: Vec<String> = s
         .done
         .timings
@@ -257,6 +258,7 @@ pub fn json(s: &Summary) -> Result<String> {
         "record": {
             "ledger_id": s.published.ledger_id, "seq": s.published.seq,
             "trail_hash": s.published.trail_hash, "signed_by": s.published.signed_by,
+            "also_signed_by": s.published.also_signed_by, "time": s.published.time.utc(),
         },
     });
     serde_json::to_string(&object).map_err(|e| Error::environment("--json").found(e.to_string()))

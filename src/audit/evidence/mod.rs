@@ -10,7 +10,7 @@ use std::path::Path;
 use super::by_hand;
 use super::report::{Finding, Report, Severity, Verdict};
 use super::statement::{Actor, Input, Model, Statement};
-use super::time::{self, SyncStatus};
+use super::time::{self, Source, SyncStatus};
 use crate::Result;
 
 /// What a report is about.
@@ -71,17 +71,19 @@ fn document(evidence: &Evidence<'_>) -> Result<Document> {
         scope(evidence),
         findings(&report.findings),
         scenes(records),
+        blocks(records),
         inputs(records),
         outputs(records),
         models(records),
         signers(records),
         clock(records),
+        places(records),
         controls::matrix(evidence, records),
     ];
     if let Some(folder) = evidence.folder.filter(|_| !records.is_empty()) {
         sections.push(Section {
             title: "Verify again, without Orb",
-            blocks: vec![Block::Commands(by_hand::openssl_commands(folder)?)],
+            blocks: vec![Block::Commands(by_hand::openssl_commands(folder, by_hand::Beside::default())?)],
         });
     }
     sections.push(hashes(records));
@@ -168,6 +170,32 @@ fn scenes(records: &[Statement]) -> Section {
     table("Events", vec!["Record", "UTC", "Event", "Marking", "Inputs", "Outputs", "Operator"], rows)
 }
 
+/// Why each product is marked as it is: classification authority, designation of CUI, raising.
+fn blocks(records: &[Statement]) -> Section {
+    let mut rows = Vec::new();
+    for Statement { predicate: p, .. } in records {
+        let mut row = |name: &str, value: &str| rows.push(vec![p.chain.seq.to_string(), name.into(), value.into()]);
+        if let Some(a) = &p.marking.authority {
+            row("Classified by", &a.classified_by);
+            row("Derived from", &a.derived_from);
+            a.sources.iter().for_each(|source| row("Source", source));
+            row("Declassify on", &a.declassify_on);
+            row("Date of origin", &a.date_of_origin);
+        }
+        if let Some(d) = &p.marking.cui_block {
+            row("Controlled by", &d.controlled_by);
+            row("Controlled by (office)", &d.office);
+            row("CUI category", &d.category);
+            row("Distribution, dissemination", d.dissemination.as_deref().unwrap_or("not stated"));
+            row("POC", &d.poc);
+        }
+        if let Some(reason) = &p.marking.raised_reason {
+            row("Raised because", reason);
+        }
+    }
+    table("Marking blocks", vec!["Record", "Line", "Value"], rows)
+}
+
 fn inputs(records: &[Statement]) -> Section {
     let row = |i: &Input| {
         vec![
@@ -246,23 +274,57 @@ fn algorithms(actor: &Actor) -> String {
 }
 
 fn clock(records: &[Statement]) -> Section {
-    let count = |status: SyncStatus| records.iter().filter(|s| s.predicate.time.sync_status == status).count();
     if records.is_empty() {
         return Section { title: "Time", blocks: Vec::new() };
     }
-    let worst = records.iter().filter_map(|s| s.predicate.time.max_error_us).max();
+    let asked = |s: &&Statement| s.predicate.time.source == Source::NtpQuery;
+    let by_kernel: Vec<&Statement> = records.iter().filter(|s| !asked(s)).collect();
+    let count = |status: SyncStatus| by_kernel.iter().filter(|s| s.predicate.time.sync_status == status).count();
+    let worst = by_kernel.iter().filter_map(|s| s.predicate.time.max_error_us).max();
     let worst =
         worst.map_or(String::new(), |us| format!(" The largest error bound that a kernel stated is {} ms.", us / 1000));
-    Section {
-        title: "Time",
-        blocks: vec![Block::Text(format!(
-            "Clock called synchronised by its kernel: {}; unsynchronised: {}; nothing known: {}.{worst} A kernel says \
-             that a daemon keeps its clock, not that the daemon is right.",
-            count(SyncStatus::Synchronised),
-            count(SyncStatus::Unsynchronised),
-            count(SyncStatus::Unknown)
-        ))],
+    let mut blocks = vec![Block::Text(format!(
+        "Clock called synchronised by its kernel: {}; unsynchronised: {}; nothing known: {}.{worst} A kernel says that a daemon \
+         keeps its clock, not that the daemon is right.",
+        count(SyncStatus::Synchronised),
+        count(SyncStatus::Unsynchronised),
+        count(SyncStatus::Unknown)
+    ))];
+    let rows: Vec<Vec<String>> = records.iter().filter(asked).map(server).collect();
+    if !rows.is_empty() {
+        blocks.push(Block::Text("Dated by a time server that was asked once, without proof of who answered:".into()));
+        let head = vec!["Record", "Server", "Stratum", "Local clock off by, ms", "The way hides, ms"];
+        blocks.push(Block::Table { head, rows });
     }
+    Section { title: "Time", blocks }
+}
+
+fn server(record: &Statement) -> Vec<String> {
+    let (p, time) = (&record.predicate, &record.predicate.time);
+    let ms = |us: Option<i64>| us.map_or(String::new(), |us| us.div_euclid(1000).to_string());
+    vec![
+        p.chain.seq.to_string(),
+        time.reference.clone().unwrap_or_default(),
+        time.stratum.map_or(String::new(), |n| n.to_string()),
+        ms(time.offset_us),
+        ms(time.max_error_us),
+    ]
+}
+
+/// Where the program ran, each machine under the name that it has in this ledger.
+fn places(records: &[Statement]) -> Section {
+    let mut rows: Vec<Vec<String>> = records
+        .iter()
+        .map(|s| {
+            let place = &s.predicate.place;
+            let text = |t: &Option<String>, absent: &str| t.clone().unwrap_or(absent.into());
+            let system = format!("{}, {}", place.os, place.arch);
+            vec![text(&place.host_id, "not recorded"), system, text(&place.container, "none known")]
+        })
+        .collect();
+    rows.sort();
+    rows.dedup();
+    table("Machines", vec!["Machine (hash)", "System", "Container"], rows)
 }
 
 fn hashes(records: &[Statement]) -> Section {

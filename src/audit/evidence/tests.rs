@@ -90,3 +90,53 @@ fn a_finding_stands_first() {
         },
     );
 }
+
+/// What a record says of its time, its place and its marking stands in the report in the words of its case.
+#[test]
+fn words_for_each_case() {
+    use crate::audit::marking::authority::Authority;
+    let of = |change: fn(&mut Statement)| {
+        let mut text = String::new();
+        with_report(
+            true,
+            |_| {},
+            |evidence| {
+                let mut records = evidence.records.to_vec();
+                records.iter_mut().for_each(change);
+                text = to_markdown(&Evidence { records: &records, ..*evidence }).unwrap();
+            },
+        );
+        text
+    };
+    let plain = of(|_| {});
+    for words in ["by its kernel: 1;", "podman", "0 name the operator by an authority's certificate", "AC-2", "3.13.11"]
+    {
+        assert!(plain.contains(words), "{words} in {plain}");
+    }
+    assert!(!plain.contains("time server") && !plain.contains("Marking blocks") && !plain.contains("NTP"), "{plain}");
+
+    let asked = of(|s| {
+        let time = &mut s.predicate.time;
+        time.source = Source::NtpQuery;
+        (time.stratum, time.reference) = (Some(1), Some("10.0.0.1 (GPS)".into()));
+    });
+    assert!(asked.contains("by its kernel: 0;") && asked.contains("| 0 | 10.0.0.1 (GPS) | 1 | -1 | 1 |"), "{asked}");
+
+    let classified = of(|s| {
+        s.predicate.actor.auth = "pki".into();
+        s.predicate.actor.key_source = "pkcs11".into();
+        s.predicate.marking.raised_reason = Some("compilation".into());
+        s.predicate.marking.authority = Some(Authority {
+            classified_by: "J. Doe, analyst".into(),
+            derived_from: "Multiple Sources".into(),
+            declassify_on: "20400101".into(),
+            date_of_origin: "20261121".into(),
+            sources: vec!["Guide A".into()],
+        });
+    });
+    for words in
+        ["J. Doe, analyst", "Guide A", "20400101", "compilation", "1 name the operator by", "1 are signed in a token"]
+    {
+        assert!(classified.contains(words), "{words} in {classified}");
+    }
+}

@@ -107,12 +107,16 @@ fn sentence(finding: &Finding) -> String {
     text
 }
 
-fn quality(statement: &Statement) -> &'static str {
-    use crate::audit::time::SyncStatus;
-    match statement.predicate.time.sync_status {
-        SyncStatus::Synchronised => "the kernel called its clock synchronised",
-        SyncStatus::Unsynchronised => "the kernel called its clock unsynchronised",
-        SyncStatus::Unknown => "nothing is known of the clock's quality",
+fn quality(statement: &Statement) -> String {
+    use crate::audit::time::{Source, SyncStatus};
+    let time = &statement.predicate.time;
+    match (time.source, time.sync_status) {
+        (Source::NtpQuery, SyncStatus::Synchronised) => {
+            format!("the NTP server {} was asked", time.reference.as_deref().unwrap_or("of no name"))
+        }
+        (_, SyncStatus::Synchronised) => "the kernel called its clock synchronised".into(),
+        (_, SyncStatus::Unsynchronised) => "the kernel called its clock unsynchronised".into(),
+        (_, SyncStatus::Unknown) => "nothing is known of the clock's quality".into(),
     }
 }
 

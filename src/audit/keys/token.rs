@@ -19,6 +19,10 @@ use pkcs8::spki::SubjectPublicKeyInfoRef;
 use super::{Algorithm, Passphrase, second};
 use crate::{Error, Result};
 
+/// What to do about a key that is none of RSA.
+pub(super) const NOT_IN_TOKENS: &str = "Orb signs in a token with RSA keys only. For ML-DSA-87, alone or together with RSA, sign with a key \
+     file, encrypted: `orb audit keygen --profile cnsa2|hybrid --passphrase SOURCE -o FILE`.";
+
 /// Begins the name of such a key.
 pub const SCHEME: &str = "pkcs11:";
 
@@ -89,12 +93,21 @@ impl Token {
                 .found(format!("PASSPHRASE_REFUSED: {e}"))
                 .advice("A token locks itself after a few wrong PINs: do not just try again.")
         })?;
-        let mut wanted = vec![Attribute::Class(ObjectClass::PRIVATE_KEY), Attribute::KeyType(KeyType::RSA)];
-        wanted.extend(name.object.as_ref().map(|label| Attribute::Label(label.clone().into_bytes())));
-        wanted.extend(name.id.clone().map(Attribute::Id));
-        let keys = session.find_objects(&wanted).map_err(|e| failed("looking for the key", e))?;
+        let mut named = vec![Attribute::Class(ObjectClass::PRIVATE_KEY)];
+        named.extend(name.object.as_ref().map(|label| Attribute::Label(label.clone().into_bytes())));
+        named.extend(name.id.clone().map(Attribute::Id));
+        let find = |wanted: &[Attribute]| session.find_objects(wanted).map_err(|e| failed("looking for the key", e));
+        let keys = find(&[&named[..], &[Attribute::KeyType(KeyType::RSA)]].concat())?;
         let [key] = keys[..] else {
-            return Err(refused(&format!("KEY_NOT_FOUND: {} keys of that name", keys.len())));
+            let others = if keys.is_empty() { find(&named)? } else { Vec::new() };
+            let kind = |key| match session.get_attributes(key, &[AttributeType::KeyType]).as_deref() {
+                Ok([Attribute::KeyType(kind)]) => kind.to_string(),
+                _ => "key of another kind".into(),
+            };
+            return Err(match others.first() {
+                None => refused(&format!("KEY_NOT_FOUND: {} keys of that name", keys.len())),
+                Some(other) => refused(&format!("ALG_REFUSED: a {}", kind(*other))).advice(NOT_IN_TOKENS),
+            });
         };
         let values = session
             .get_attributes(key, &[AttributeType::Modulus, AttributeType::PublicExponent])
@@ -124,7 +137,7 @@ impl Token {
         let (whole, mechanism) = match algorithm {
             Algorithm::Rs256 => (MechanismType::SHA256_RSA_PKCS, Mechanism::Sha256RsaPkcs),
             Algorithm::Rs384 => (MechanismType::SHA384_RSA_PKCS, Mechanism::Sha384RsaPkcs),
-            Algorithm::MlDsa87 => return Err(none()),
+            Algorithm::MlDsa87 => return Err(none().advice(NOT_IN_TOKENS)),
         };
         let session = self.session.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let signed = if self.mechanisms.contains(&whole) {
@@ -266,6 +279,11 @@ mod tests {
         bare.mechanisms.clear();
         assert_eq!(bare.sign(Algorithm::Rs256, b"message").unwrap(), whole);
         drop(bare);
+        // SoftHSM 2 has no ML-DSA: a key on a curve stands for every key that is not RSA's.
+        let error = load("token=orb;object=curve", right, Algorithm::Rs256).unwrap_err();
+        assert!(error.found == "ALG_REFUSED: a CKK_EC" && error.advice.contains("--profile cnsa2"), "{error}");
+        let error = load("token=orb;object=signer", right, Algorithm::MlDsa87).unwrap_err();
+        assert!(error.to_string().contains("ALG_REFUSED") && error.advice.contains("--profile cnsa2"), "{error}");
         for (what, pin, code) in [
             ("token=orb;object=signer", None, "PASSPHRASE_REQUIRED"),
             ("token=orb;object=nobody", right, "KEY_NOT_FOUND"),
@@ -304,6 +322,11 @@ mod tests {
         run("openssl".as_ref(), &["genpkey", "-algorithm", "RSA", "-pkeyopt", "rsa_keygen_bits:3072", "-out", "k.pem"]);
         let import = ["--import", "k.pem", "--token", "orb", "--label", "signer", "--id", "01", "--pin", "1234"];
         run(tool, &import);
+        run(
+            "openssl".as_ref(),
+            &["genpkey", "-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256", "-out", "e.pem"],
+        );
+        run(tool, &["--import", "e.pem", "--token", "orb", "--label", "curve", "--id", "02", "--pin", "1234"]);
         let test = "audit::keys::token::tests::a_key_in_softhsm";
         run(std::env::current_exe().unwrap().as_os_str(), &["--exact", test, "--nocapture"]);
     }

@@ -258,6 +258,7 @@ fn a_publication_to_be_killed() {
 fn later(n: u8) -> RecordDraft {
     let mut draft = draft();
     draft.time.unix_ms += 60_000 * u64::from(n);
+    draft.time.since_boot.as_mut().unwrap().milliseconds += 60_000 * u64::from(n);
     draft.event_random[0] = n;
     draft
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::audit::by_hand::{Beside, openssl_commands};
 use crate::audit::keys::tests::{other_key, shared_key};
 
 #[test]
@@ -328,7 +329,8 @@ fn a_folder_and_a_ledger_signed_under_an_authority() {
     assert!(codes(&check(&trust)).contains(&"KEY_UNTRUSTED"));
     // OpenSSL agrees about the path, by the commands that Orb prints.
     fs::write(out.join(RECORD_CHAIN), &chain).unwrap();
-    let commands = crate::audit::by_hand::openssl_commands(&out).unwrap().replace("AUTHORITY.pem", "../root.pem");
+    let commands = openssl_commands(&out, Beside::default()).unwrap();
+    let commands = commands.replace("AUTHORITY.pem", "../root.pem");
     let done = std::process::Command::new("sh").args(["-e", "-c", &commands]).output().unwrap();
     let text = String::from_utf8_lossy(&done.stdout).into_owned();
     assert!(

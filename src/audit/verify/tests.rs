@@ -380,16 +380,6 @@ fn files_in_a_store() {
 }
 
 #[test]
-fn commands_for_openssl() {
-    let (_dir, out) = published();
-    let text = crate::audit::by_hand::openssl_commands(&out).unwrap();
-    assert!(text.contains("openssl dgst -sha256 -verify orb-record.pub.pem -signature orb-record.sig orb-record.pae"));
-    assert!(text.contains(&format!("{}  scene.ply", canonical::sha256_hex(&ply()))));
-    fs::remove_file(out.join(RECORD)).unwrap();
-    assert_eq!(crate::audit::by_hand::openssl_commands(&out).unwrap_err().kind, Kind::Incomplete);
-}
-
-#[test]
 fn a_verifier_may_ask_for_more() {
     let (_dir, out) = published();
     let trust = trusting(&[shared_key()]);
@@ -453,7 +443,7 @@ fn signed_by_two_keys() {
     assert_eq!((report().signed_by.as_deref(), report().also_signed_by), (Some(names[0]), vec![names[1].to_owned()]));
     let (_, statement) = read_record(&out).unwrap();
     assert!(statement.subject.iter().all(|s| s.digest.sha384.is_some()));
-    let by_hand = crate::audit::by_hand::openssl_commands(&out).unwrap();
+    let by_hand = crate::audit::by_hand::openssl_commands(&out, Default::default()).unwrap();
     for line in [
         "openssl dgst -sha384 -verify orb-record.pub.pem -signature orb-record.sig orb-record.pae",
         "openssl pkeyutl -verify -pubin -inkey orb-record.second.pub.pem -rawin -in orb-record.pae -sigfile orb-record.second.sig",

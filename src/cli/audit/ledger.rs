@@ -50,6 +50,10 @@ pub struct VerifyArgs {
     /// Refuse records whose clock was not known to agree with UTC (exit 4)
     #[arg(long)]
     pub require_time_sync: bool,
+    /// How far a record may be dated before those before it: runs are dated when they begin to write, and several may be at
+    /// work at once [default: 600]
+    #[arg(long, value_name = "SECONDS")]
+    pub time_grace: Option<u32>,
     /// Refuse records made with other network weights than this file lists, a SHA-256 a line (exit 4)
     #[arg(long, value_name = "FILE")]
     pub models: Option<PathBuf>,
@@ -110,7 +114,12 @@ fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         require_anchor: args.require_anchor,
         now_ms: time::now()?.unix_ms,
         strict: args.strict,
-        policy: Policy { require_time_sync: args.require_time_sync, models: models.as_deref(), require_inputs: false },
+        policy: Policy {
+            require_time_sync: args.require_time_sync,
+            models: models.as_deref(),
+            time_grace_ms: args.time_grace.map(|seconds| u64::from(seconds) * 1000),
+            ..Policy::default()
+        },
     })?;
     events::log_verdict(data, "orb audit ledger verify", &report);
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };

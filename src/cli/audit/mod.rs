@@ -174,7 +174,8 @@ pub fn run(args: &AuditArgs, data: &DataFolder) -> Result<Outcome> {
 
 pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
     if args.print_openssl {
-        return Ok(Outcome { text: by_hand::openssl_commands(&args.folder)?, exit_code: 0 });
+        let beside = by_hand::Beside { inputs: &args.input, store: args.store.as_deref() };
+        return Ok(Outcome { text: by_hand::openssl_commands(&args.folder, beside)?, exit_code: 0 });
     }
     let trust = TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?;
     let models = args.models.as_deref().map(weights_list).transpose()?;
@@ -187,6 +188,7 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
             require_time_sync: args.require_time_sync,
             models: models.as_deref(),
             require_inputs: args.require_inputs,
+            time_grace_ms: None,
         },
         ..Request::new(&args.folder, &trust, time::now()?.unix_ms)
     })?;

@@ -144,7 +144,7 @@ mod tests {
         let ledger = ledger_check::ledger_file(&data.path().join("ledger"));
         assert!(events::list(&ledger).unwrap().contains("record.timestamp   success authority=CN=Test tsa"));
 
-        let commands = by_hand::openssl_commands(&pki.path("out")).unwrap();
+        let commands = by_hand::openssl_commands(&pki.path("out"), by_hand::Beside::default()).unwrap();
         let commands = commands.replace("TSA-AUTHORITY.pem", &path("root.pem"));
         let done = std::process::Command::new("bash").args(["-ec", &commands]).output().unwrap();
         let said = String::from_utf8_lossy(&done.stdout).into_owned() + &String::from_utf8_lossy(&done.stderr);
