@@ -29,7 +29,7 @@ def scene_step(net, pool, n):
     depth = depth[:, 0].float()
     truth = normalised_inverse_depth(batch.depth)
     answer = centred(depth)
-    mask_loss = mask_losses(logits, batch.alpha)
+    mask_loss = mask_losses(logits, batch.alpha, batch.shade)
     depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
     elevation_loss, off = elevation_losses(elevation, batch.elevation)
     loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss + 0.05 * elevation_loss
@@ -44,10 +44,11 @@ def scene_step(net, pool, n):
     return loss, figures, columns
 
 
-def mask_losses(logits, alpha):
+def mask_losses(logits, alpha, shade):
     """Cross-entropy and Dice, [n, S, S]; pictures whose subject is all but out of view do not count.
 
-    Near the subject's edge, and on its thin parts, which are all edge, cross-entropy weighs more. The fiftieth of each
+    Near the subject's edge, and on its thin parts, which are all edge, cross-entropy weighs more; so it does where
+    `shade` [n, S, S] lies beside the subject. The fiftieth of each
     picture that is most wrong (a shadow that is taken for the subject, a part that is missing) counts once more.
     """
     seen = (alpha.flatten(1).mean(1) > 0.01)[:, None, None].float()
@@ -56,7 +57,8 @@ def mask_losses(logits, alpha):
     dice = 1 - (2 * overlap + 1) / (((mask + alpha) * seen).sum((1, 2)) + 1)
     around = alpha[:, None]
     edge = (F.max_pool2d(around, 7, 1, 3) + F.max_pool2d(-around, 7, 1, 3))[:, 0]
-    weight = seen * (1 + 2 * edge)
+    beside = F.interpolate(F.max_pool2d(F.avg_pool2d(around, 4), 9, 1, 4), scale_factor=4.0)[:, 0] * shade
+    weight = seen * (1 + 2 * edge + 2 * beside * (1 - alpha))
     entropy = F.binary_cross_entropy_with_logits(logits, alpha, reduction="none")
     # Less the entropy of the coverage itself, or edges would always be among the worst.
     known = alpha.clamp(1e-4, 1 - 1e-4)

@@ -65,7 +65,7 @@ def test_bounding_boxes_fit():
     eye = torch.tensor([[80.0, 0, 0]]).expand(len(made), 3)
     cameras = pack(*look_at(eye), torch.full((len(made),), 0.03), 160, subject_only=True)
     surroundings = environments(len(made), torch.full((len(made),), -1e3), "cpu")
-    _, alpha, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 1)
+    _, alpha, _, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 1)
     rows = [torch.where(a.amax(1) > 0)[0] for a in alpha]
     unit = 80 * 2 * np.tan(0.015) / 160
     bottom = np.array([80 - (r.max().item() + 1) for r in rows]) * unit
@@ -78,7 +78,7 @@ def test_bounding_boxes_fit():
 def test_enumerations_of_the_kernel_are_those_of_the_layout():
     kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
     for name in ("BOX BALL CYL TUBE PRISM LEAVES BARS RUNGS LATTICE GRID SPOKES OPEN_SKY LANDSCAPE WALL NOISE_ROOM "
-                 "CLUTTER TREES TOWN EARTH TILED PAVED GRASS WATER PLANKED CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
+                 "CLUTTER TREES TOWN NO_CASTER ROOFLINE CROWN POSTS EARTH TILED PAVED GRASS WATER PLANKED CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
         assert kernel[name] == getattr(layout, name), name
 
 
@@ -92,6 +92,9 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
     scenes = scene_batch(pool, 8, size=64)
     subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
     assert all(torch.isfinite(t).all() for t in (*scenes, *subjects))
+    # A pixel is the subject's or in a shadow, not both at once.
+    assert scenes.shade.max() > 0.5
+    assert (scenes.shade + scenes.alpha).max() < 1 + 1e-4
     given = scenes.point.flatten(1).amax(1) > 0
     assert given.any()
     at = scenes.point.flatten(1).argmax(1)

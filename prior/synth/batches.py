@@ -15,6 +15,7 @@ from nets import CROP_HALF, CROP_NEARNESS
 
 from .cameras import crop, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
+from .foliage import broadleaf
 from .layout import (
     BALL,
     BOX,
@@ -72,7 +73,7 @@ def make_pool(first_seed, count, processes, device="cuda", textures=384):
         counts=torch.tensor([m.count for m in made], dtype=torch.int32, device=device),
         grounds=torch.tensor([m.ground for m in made], dtype=torch.float32, device=device),
         companions=torch.tensor([i for i, m in enumerate(made) if m.maker in COMPANIONS] or [0], device=device),
-        foliage=torch.tensor([i for i, m in enumerate(made) if m.maker is leafy] or [0], device=device),
+        foliage=torch.tensor([i for i, m in enumerate(made) if m.maker in (leafy, broadleaf)] or [0], device=device),
         textures=make_bank(textures, device),
     )
 
@@ -111,12 +112,14 @@ def recolour(prims):
 
 class SceneBatch(NamedTuple):
     """photo [n, 3, S, S] sRGB 0..1; point [n, 1, S, S], as `point_map` draws it, or 0 where none is given;
-    alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky; elevation [n] of the camera, radians."""
+    alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky; shade [n, S, S], how much of each pixel is not the
+    subject and lies in a shadow; elevation [n] of the camera, radians."""
 
     photo: torch.Tensor
     point: torch.Tensor
     alpha: torch.Tensor
     depth: torch.Tensor
+    shade: torch.Tensor
     elevation: torch.Tensor
 
 
@@ -141,12 +144,21 @@ def scene_batch(pool, n, size=256):
         add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0)
     ground = add_perch(prims, counts, ground)
     cameras, elevation = photo_cameras(azimuth, elevation, ground, size, pointed)
-    surroundings = environments(n, ground, device)
+    daylight = uniform(chosen, 0, 1) < 0.4
+    surroundings = environments(n, ground, device, daylight)
     each = torch.arange(n, device=device, dtype=torch.int32)
-    rgb, alpha, depth = cast(prims, counts.int(), each, cameras, surroundings, size, 2)
-    photo = defocused(textured(rgb, alpha, depth, pool.textures), alpha, depth)
-    photo, alpha, depth = mirrored_margins(stored(exposed(photo)), alpha, depth)
-    return SceneBatch(photo, points(alpha, pointed), alpha, depth, elevation)
+    rgb, alpha, depth, shade = cast(prims, counts.int(), each, cameras, surroundings, size, 2)
+    photo = calmed(defocused(textured(rgb, alpha, depth, pool.textures), alpha, depth), rgb, daylight, 0.5)
+    photo = calmed(exposed(photo), photo, daylight, 1)
+    photo = calmed(stored(photo), photo, daylight, 0.7)
+    photo, alpha, depth, shade = mirrored_margins(photo, alpha, depth, shade)
+    return SceneBatch(photo, points(alpha, pointed), alpha, depth, shade, elevation)
+
+
+def calmed(changed, photo, daylight, chance):
+    """Of pictures [n, 3, S, S], where `daylight` [n] is set and with that chance, a random part of the change alone."""
+    part = torch.where(daylight & (uniform(photo, 0, 1) < chance), uniform(photo, 0, 0.6), torch.ones_like(photo[:, 0, 0, 0]))
+    return photo + part[:, None, None, None] * (changed - photo)
 
 
 def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
@@ -252,13 +264,13 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     return cameras, torch.asin(eye[:, 2] / eye.norm(dim=1))
 
 
-def mirrored_margins(photo, alpha, depth):
+def mirrored_margins(photo, alpha, depth, shade):
     """In some pictures, a margin of mirrored surroundings, as the program shows them; the subject ends with the photo."""
     n, size = alpha.shape[0], alpha.shape[-1]
     device = alpha.device
     wider = torch.where(uniform(alpha, 0, 1) < 0.2, uniform(alpha, 1.05, 1.45), torch.ones(n, device=device))
     if size < 2:
-        return photo, alpha, depth
+        return photo, alpha, depth, shade
     theta = torch.zeros(n, 2, 3, device=device)
     theta[:, 0, 0] = wider
     theta[:, 1, 1] = wider
@@ -266,7 +278,8 @@ def mirrored_margins(photo, alpha, depth):
     photo = F.grid_sample(photo, grid, mode="bilinear", padding_mode="reflection", align_corners=False)
     alpha = F.grid_sample(alpha[:, None], grid, mode="bilinear", padding_mode="zeros", align_corners=False)[:, 0]
     depth = F.grid_sample(depth[:, None], grid, mode="nearest", padding_mode="reflection", align_corners=False)[:, 0]
-    return photo, alpha, depth
+    shade = F.grid_sample(shade[:, None], grid, mode="bilinear", padding_mode="reflection", align_corners=False)[:, 0]
+    return photo, alpha, depth, shade
 
 
 def points(alpha, wanted):
@@ -319,7 +332,7 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     away = 1.02 / torch.sin(photo_fov / 2)
     rotation, translation = look_at(orbit(azimuth, elevation, away))
     # The ground lies far below: nothing but the subject is in the picture, and nothing shades it from below.
-    surroundings = environments(n, pool.grounds[chosen] - 1e3, device)
+    surroundings = environments(n, pool.grounds[chosen] - 1e3, device, uniform(chosen, 0, 1) < 0.4)
     each = torch.arange(n, device=device, dtype=torch.int32)
 
     probe = pack(rotation, translation, photo_fov * 1.1, 64, subject_only=True)
@@ -327,11 +340,11 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     # Some masks take in a piece of the ground; the crop is wider then, and the subject not in its middle.
     leaky = uniform(chosen, 0, 1) < 0.3
     fill = torch.where(leaky, uniform(chosen, 0.62, 0.94), fill)
-    _, coarse, _ = cast(prims, counts, each, probe, surroundings, 64, 1)
+    _, coarse, _, _ = cast(prims, counts, each, probe, surroundings, 64, 1)
     cameras, empty = crop(probe, coarse, size, fill)
     aside = (torch.rand(n, 2, device=device) - 0.5) * (0.94 - fill).clamp(min=0)[:, None] * size
     cameras[:, [CENTRE_X, CENTRE_Y]] += aside * leaky[:, None]
-    rgb, alpha, front = cast(prims, counts, each, cameras, surroundings, size, 2)
+    rgb, alpha, front, _ = cast(prims, counts, each, cameras, surroundings, size, 2)
     camera = crop_camera(cameras, away, size)
     front = torch.where(front > 0, front + (distance - away)[:, None, None], front)
     alpha = alpha[:, None]
@@ -347,7 +360,7 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     rotation, translation = truth_cameras(azimuth, elevation, distance, views)
     truth_fov = torch.full((n * views,), fov, device=device)
     cameras = pack(rotation.reshape(-1, 3, 3), translation.reshape(-1, 3), truth_fov, size, subject_only=True)
-    rgb, truth_alpha, _ = cast(prims, counts, each.repeat_interleave(views), cameras, surroundings, size, 2)
+    rgb, truth_alpha, _, _ = cast(prims, counts, each.repeat_interleave(views), cameras, surroundings, size, 2)
     rgb = rgb.reshape(n, views, 3, size, size)
     truth_alpha = truth_alpha.reshape(n, views, 1, size, size)
     return SplatBatch(

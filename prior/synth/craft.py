@@ -4,6 +4,7 @@ import numpy as np
 
 from .kit import ALONG_X, turn
 from .layout import BALL, BOX, CYL
+from .materials import PLANKS
 
 
 def plane(kit):
@@ -101,3 +102,62 @@ def superstructure(kit, length, width, material):
         x += half_length * 1.5 + 0.2
         if x > length * 0.6:
             break
+
+
+def trawler(kit):
+    """Fishing boats and tugs: a sheer hull with a striped rim, a wheelhouse, masts with stays, booms, a gallows, gear on deck."""
+    rng = kit.rng
+    hull, rim, house = kit.material(gloss=0.2), kit.material(), kit.material(base=rng.uniform(0.5, 0.95) * np.ones(3))
+    deck, steel, glass = kit.material(pattern=PLANKS), kit.material(), kit.material(dark=True, gloss=0.5)
+    if kit.chance(0.3):
+        house = kit.material()
+    long, wide, side = rng.uniform(1.6, 2.8), rng.uniform(0.5, 0.85), rng.uniform(0.25, 0.5)
+    flare = rng.uniform(1.1, 1.35)
+    # Amidships, stern and bow; the bow rises in steps.
+    kit.add(BOX, (-long * 0.2, 0, side), (long * 0.6, wide / flare, side), (1.02, flare), material=hull)
+    kit.add(BOX, (-long * 0.82, 0, side * 1.15), (long * 0.08, wide * 0.9 / flare, side * 0.95), (1.6, flare), (-0.1, 0), material=hull)
+    rise = rng.uniform(0.1, 0.5) * side
+    for i, (end, narrow) in enumerate(((0.62, 0.8), (0.8, 0.5))):
+        start = (0.4, 0.62)[i]
+        tall = side + rise * (i + 1) / 2
+        kit.add(BOX, (long * (start + end) / 2, 0, tall), (long * (end - start) / 2 * 1.05, wide * narrow / flare, tall), (1.05, flare * 1.1), (0.06, 0), material=hull)
+        kit.add(BOX, (long * (start + end) / 2 + 0.04, 0, 2 * tall), (long * (end - start) / 2 * 1.15, wide * narrow * 1.12, 0.04), material=rim)
+    prow = side + rise
+    kit.add(BOX, (long * 0.86, 0, prow * 1.05), (prow, wide * 0.5, long * 0.09), (0.8, 0.02), (-prow * 0.25, 0), rotation=ALONG_X, material=hull)
+    kit.add(BOX, (-long * 0.2, 0, 2 * side - 0.04), (long * 0.62, wide * 0.93, 0.03), material=deck)
+    for y in (-wide * 0.97, wide * 0.97):
+        kit.add(BOX, (-long * 0.25, y, 2 * side + 0.06), (long * 0.66, 0.03, 0.1), material=rim)
+    # Wheelhouse.
+    x = long * rng.choice([rng.uniform(0.05, 0.35), rng.uniform(-0.7, -0.45)])
+    cabin, reach = rng.uniform(0.25, 0.5), rng.uniform(0.16, 0.3) * long
+    kit.add(BOX, (x, 0, 2 * side + cabin), (reach, wide * 0.62, cabin), (0.92, 0.95), material=house)
+    kit.add(BOX, (x, 0, 2 * side + cabin * 1.4), (reach * 1.0, wide * 0.64, cabin * 0.22), (0.95, 0.97), material=glass)
+    kit.add(BOX, (x, 0, 2 * side + 2 * cabin + 0.03), (reach * 1.15, wide * 0.72, 0.04), material=rim if kit.chance(0.5) else house)
+    roof = 2 * side + 2 * cabin
+    if kit.chance(0.5):
+        kit.add(BOX, (x, 0, roof + 0.2), (reach * 0.6, wide * 0.4, 0.2), (0.9, 0.9), material=house)
+        kit.add(BOX, (x, 0, roof + 0.25), (reach * 0.58, wide * 0.39, 0.08), material=glass)
+    if kit.chance(0.5):
+        kit.add(CYL, (x - reach * 0.8, 0, roof + 0.2), (0.12, 0.1, 0.3), (0.85, 1), material=kit.material())
+    # Masts, stays and booms.
+    thin = rng.uniform(0.015, 0.035)
+    for mast_x in ([x + rng.uniform(-0.2, 0.2)] + ([long * 0.45 if x < 0 else -long * 0.3] if kit.chance(0.7) else [])):
+        foot = roof if abs(mast_x - x) < reach else 2 * side
+        high = foot + rng.uniform(0.7, 2)
+        kit.between((mast_x, 0, foot), (mast_x, 0, high), thin * 1.4, taper=0.6, material=steel)
+        kit.between((mast_x, -0.25, high * 0.85), (mast_x, 0.25, high * 0.85), thin * 0.7, material=steel)
+        if kit.chance(0.6):
+            kit.between((mast_x, 0, foot + 0.2), (mast_x + rng.choice([-1, 1]) * rng.uniform(0.5, 1.1), 0, high * rng.uniform(0.6, 1)), thin, material=steel)
+        if kit.chance(0.6):
+            kit.between((mast_x, 0, high), (long * rng.choice([0.85, -0.85]), 0, 2 * side + 0.2), 0.008, material=steel)
+    if kit.chance(0.6):  # gallows
+        z = 2 * side + rng.uniform(0.6, 1.1)
+        kit.between((-long * 0.75, wide * 0.8, 2 * side), (-long * 0.72, wide * 0.6, z), thin * 1.5, material=steel, mirror=True)
+        kit.between((-long * 0.72, -wide * 0.65, z), (-long * 0.72, wide * 0.65, z), thin * 1.5, material=steel)
+    if kit.chance(0.6):
+        kit.railing((long * 0.3, wide * 0.85, 2 * side + rise), (long * 0.8, wide * 0.35, 2 * side + 2 * rise), 0.25, steel, 0.15)
+        kit.railing((long * 0.3, -wide * 0.85, 2 * side + rise), (long * 0.8, -wide * 0.35, 2 * side + 2 * rise), 0.25, steel, 0.15)
+    for _ in range(int(rng.integers(0, 5))):  # gear
+        half = rng.uniform(0.06, 0.2, 3)
+        place = (rng.uniform(-0.7, 0.3) * long, rng.uniform(-0.5, 0.5) * wide, 2 * side + half[2])
+        kit.add(rng.choice([BOX, CYL]), place, half)

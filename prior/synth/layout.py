@@ -44,7 +44,9 @@ SUBJECT_ONLY = 16
 # One environment: sun direction 0:3 and colour 3:6, zenith 6:9, horizon 9:12, two ground colours 12:15 and 15:18,
 # then ground frequency, ambient light, kind of ground, backdrop, seed, ground height, wall normal x and y, wall
 # distance, clouds, hills, the hills' colour 29:32, the sun's size (radians), fog, kind of wall, and the size of
-# textures in the surroundings.
-ENVIRONMENT_FLOATS = 36
+# textures in the surroundings, what of the sky's light a near thing leaves, how much of that light has the sky's colour
+# (0..1), what out of the picture casts a shadow into it, and how fine that is.
+ENVIRONMENT_FLOATS = 40
 OPEN_SKY, LANDSCAPE, WALL, NOISE_ROOM, CLUTTER, TREES, TOWN = range(7)
+NO_CASTER, ROOFLINE, CROWN, POSTS = range(4)
 EARTH, TILED, PAVED, GRASS, WATER, PLANKED = range(6)

@@ -6,8 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from .buildings import house, mast, store, tower
-from .craft import helicopter, plane, ship
+from .craft import helicopter, plane, ship, trawler
 from .creatures import bird, bust, person, quadruped, soft_toy
+from .foliage import broadleaf
+from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
 from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
@@ -56,10 +58,14 @@ MAKERS = [
     (rotorcraft, 9),
     (rocket, 4),
     (ship, 4),
-    (boat, 5),
+    (boat, 4),
+    (trawler, 5),
     (house, 5),
-    (gabled_house, 9),
-    (play_house, 8),
+    (gabled_house, 6),
+    (eaved_house, 8),
+    (open_shed, 5),
+    (play_house, 6),
+    (play_tower, 8),
     (block, 6),
     (tower, 4),
     (tiered, 7),
@@ -81,7 +87,8 @@ MAKERS = [
     (store, 5),
     (plant_hall, 3),
     (plant, 2),
-    (leafy, 5),
+    (leafy, 4),
+    (broadleaf, 5),
     (figure, 2),
     (person, 9),
     (bust, 3),
@@ -102,7 +109,7 @@ MAKERS = [
 
 
 # What often stands beside, behind or before other things.
-COMPANIONS = (leafy, plant, street_furniture, lattice_mast, fence, person, gabled_house, block, round_car, seat)
+COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, person, gabled_house, eaved_house, block, round_car, seat)
 
 
 class Made(NamedTuple):

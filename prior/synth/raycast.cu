@@ -5,9 +5,10 @@
 // Rows of primitives, cameras and environments: see layout.py.
 // Compiled as one text with columns.cuh, surfaces.cuh and shapes.cuh before it (raycast.py).
 //
-// Inputs:  prims [S, P, 36], counts [S], scene_of_view [V], cameras [V, 20], environments [S, 36].
+// Inputs:  prims [S, P, 36], counts [S], scene_of_view [V], cameras [V, 20], environments [S, 40].
 // Outputs: rgb [V, 3, H, W] (sRGB by a 1/2.2 power; views of the subject alone are premultiplied in linear light),
-//          alpha [V, H, W] (coverage by the subject), depth [V, H, W] (camera z; 0 = nothing there).
+//          alpha [V, H, W] (coverage by the subject), depth [V, H, W] (camera z; 0 = nothing there),
+//          shade [V, H, W] (share of the pixel that is not the subject and lies in a shadow).
 
 struct Scene {
     const float* prims;
@@ -55,9 +56,29 @@ __device__ float coming(const float* E, float up, int channel) {
     return ground + (sky - ground) * k;
 }
 
-// Sunlight with shadow and a Blinn-Phong highlight, light from sky and ground with one occlusion ray, and what a
-// glossy surface mirrors. `turn` 0..3 picks a part of the sun and of the sky, so that a pixel's samples soften both.
-__device__ void shade(const Scene& scene, const float* E, const float* o, const float* d, float t, const float* N,
+// Share of the sunlight that what stands outside the picture lets through to the point p: a building's roofline, the crown
+// of a tree, posts. The casters lie in a plane across the sun's direction.
+__device__ float let_through(const float* E, const float* sun, const float* p) {
+    int kind = (int)(E[CASTER] + .5f), s = (int)E[SEED];
+    if (kind == NO_CASTER) return 1;
+    float level = rsqrtf(sun[0] * sun[0] + sun[1] * sun[1] + 1e-6f);
+    float aside[3] = {-sun[1] * level, sun[0] * level, 0};
+    float above[3] = {-sun[2] * aside[1], sun[2] * aside[0], sun[0] * aside[1] - sun[1] * aside[0]};
+    float u = dot(p, aside), v = dot(p, above), f = E[CASTER_FREQUENCY], edge = -1.1f + 1.5f * hash01(s, 3, 7);
+    if (kind == ROOFLINE) {
+        float place = u * f * .35f;
+        float ridge = .35f * hash01((int)floorf(place), s, 1) + (hash01(s, 5, 2) > .5f ? .5f * fabsf(part(place) - .5f) : 0);
+        return v < edge + ridge ? 0 : 1;
+    }
+    if (kind == POSTS) return part(u * f * .6f) < .25f || fabsf(v - edge) < .06f ? 0 : 1;
+    float gap = fractal_noise(u * f + E[SEED], v * f, 3) - .33f - .3f * hash01(s, 4, 8);
+    return fminf(1.f, fmaxf(0.f, gap * 14));
+}
+
+// Sunlight with shadow and a Blinn-Phong highlight, light from sky and ground with two occlusion rays, a high one and a short
+// one that keeps low, and what a glossy surface mirrors. `turn` 0..3 picks a part of the sun and of the sky, so that a
+// pixel's samples soften both. Returns whether the point lies in a shadow.
+__device__ bool shade(const Scene& scene, const float* E, const float* o, const float* d, float t, const float* N,
                       float gloss, float shininess, int turn, float* colour) {
     float away_x = (turn & 1) ? .7f : -.7f, away_y = (turn & 2) ? .7f : -.7f;
     float sun[3] = {E[SUN] + E[SUN_SIZE] * away_x, E[SUN + 1] + E[SUN_SIZE] * away_y, E[SUN + 2]}, p[3];
@@ -67,11 +88,19 @@ __device__ void shade(const Scene& scene, const float* E, const float* o, const 
         p[i] = o[i] + t * d[i] + N[i] * 2e-3f;
     }
     float facing = dot(N, sun), lit = 0;
-    if (facing > 0 && E[SUNLIGHT] + E[SUNLIGHT + 1] > .01f) lit = blocked(scene, p, sun, 1e8f) ? 0 : 1;
+    bool sunny = E[SUNLIGHT] + E[SUNLIGHT + 1] > .01f;
+    if (facing > 0 && sunny) lit = blocked(scene, p, sun, 1e8f) ? 0 : 1;
+    if (lit > 0 && !scene.subject_only) lit = let_through(E, sun, p);
     float up[3] = {N[0] + .55f * away_x, N[1] + .55f * away_y, N[2] + .5f};
+    float low[3] = {N[0] + .9f * (away_x - away_y), N[1] + .9f * (away_x + away_y), N[2] + .1f};
     longer = rsqrtf(dot(up, up) + 1e-6f);
-    for (int i = 0; i < 3; i++) up[i] *= longer;
-    float open = blocked(scene, p, up, .9f) ? .4f : 1;
+    float shorter = rsqrtf(dot(low, low) + 1e-6f);
+    for (int i = 0; i < 3; i++) {
+        up[i] *= longer;
+        low[i] *= shorter;
+    }
+    float open = blocked(scene, p, up, .9f) ? E[LEFT_OPEN] : 1;
+    if (blocked(scene, p, low, .3f)) open *= .5f + .5f * E[LEFT_OPEN];
     float halfway[3], mirror[3], length2 = 0, against = dot(N, d);
     for (int i = 0; i < 3; i++) {
         halfway[i] = sun[i] - d[i];
@@ -81,10 +110,11 @@ __device__ void shade(const Scene& scene, const float* E, const float* o, const 
     float highlight = gloss * powf(fmaxf(0.f, dot(N, halfway) * rsqrtf(length2)), shininess) * lit;
     float grazing = powf(1 - fminf(1.f, fabsf(against)), 4.f), shine = fminf(.6f, gloss * (.12f + .6f * grazing)) * open;
     for (int i = 0; i < 3; i++) {
-        float around = E[AMBIENT] * open * (.45f + .75f * coming(E, N[2] * .6f, i));
+        float sky = E[SKY_FILL], around = E[AMBIENT] * open * (.45f * (1 - sky) + (.75f + .6f * sky) * coming(E, N[2] * .6f, i));
         float light = E[SUNLIGHT + i] * fmaxf(0.f, facing) * lit + around;
         colour[i] = colour[i] * light * (1 - shine) + highlight * E[SUNLIGHT + i] + shine * coming(E, mirror[2], i);
     }
+    return (facing > 0 && sunny && lit < .5f) || open < .6f;
 }
 
 // A box's shading normal turns towards its neighbour near an edge.
@@ -123,13 +153,13 @@ __device__ void roughen(const float* q, const float* p, float* N) {
 struct Sample {
     float colour[3];
     float z;  // camera z of what was hit
-    bool subject, sky;
+    bool subject, sky, shaded;
 };
 
 // Follow one ray from o in the unit direction d; `depth_row` is the camera's viewing direction.
 __device__ Sample trace(const Scene& scene, const float* E, const float* o, const float* d, const float* depth_row,
                         int turn) {
-    Sample out = {{0, 0, 0}, 0, false, false};
+    Sample out = {{0, 0, 0}, 0, false, false, false};
     float t, n[3] = {0, 0, 1}, N[3] = {0, 0, 1}, gloss = 0, shininess = 10;
     int which = nearest(scene, o, d, t, n);
     if (which >= 0) {
@@ -157,7 +187,7 @@ __device__ Sample trace(const Scene& scene, const float* E, const float* o, cons
         out.sky = !surroundings(E, o, d, t, N, out.colour);
     }
     if (out.sky) return out;
-    shade(scene, E, o, d, t, N, gloss, shininess, turn, out.colour);
+    out.shaded = shade(scene, E, o, d, t, N, gloss, shininess, turn, out.colour);
     float fog = 1 - expf(-E[FOG] * t);
     if (!scene.subject_only)
         for (int i = 0; i < 3; i++) out.colour[i] += fog * (E[HORIZON + i] - out.colour[i]);
@@ -184,8 +214,8 @@ __device__ void ray(const float* K, float x, float y, float* d) {
 }
 
 extern "C" __global__ void cast(const float* prims, const int* counts, const int* scene_of_view, const float* cameras,
-                                const float* environments, float* rgb, float* alpha, float* depth, int height,
-                                int width, int prims_per_scene, int supersample) {
+                                const float* environments, float* rgb, float* alpha, float* depth, float* shaded,
+                                int height, int width, int prims_per_scene, int supersample) {
     extern __shared__ float shared[];
     int view = blockIdx.z, index = scene_of_view[view], count = counts[index];
     const float* rows = prims + (size_t)index * prims_per_scene * ROW;
@@ -221,7 +251,7 @@ extern "C" __global__ void cast(const float* prims, const int* counts, const int
     if (px >= width || py >= height) return;
 
     size_t pixel = ((size_t)view * height + py) * width + px;
-    float sum[3] = {0, 0, 0}, covered = 0, subject_z = 1e9f;
+    float sum[3] = {0, 0, 0}, covered = 0, dark = 0, subject_z = 1e9f;
     for (int s = 0; s < supersample * supersample; s++) {
         float d[3];
         ray(K, px + ((s % supersample) + .5f) / supersample, py + ((s / supersample) + .5f) / supersample, d);
@@ -230,6 +260,7 @@ extern "C" __global__ void cast(const float* prims, const int* counts, const int
             covered += 1;
             subject_z = fminf(subject_z, sample.z);
         }
+        if (!sample.subject && sample.shaded) dark += 1;
         if (!scene.subject_only || sample.subject)
             for (int i = 0; i < 3; i++) sum[i] += sample.colour[i];
         // Where the subject is not, the first sample gives the depth of what is.
@@ -239,5 +270,6 @@ extern "C" __global__ void cast(const float* prims, const int* counts, const int
     for (int i = 0; i < 3; i++)
         rgb[(((size_t)view * 3 + i) * height + py) * width + px] = powf(fminf(1.f, fmaxf(0.f, sum[i] * share)), .4545f);
     alpha[pixel] = covered * share;
+    shaded[pixel] = dark * share;
     if (subject_z < 1e8f) depth[pixel] = subject_z;
 }

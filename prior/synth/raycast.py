@@ -19,13 +19,13 @@ HERE = Path(__file__).parent
 # Calls the kernel for every pixel of every view.
 HOST_LOOP = """
 extern "C" void cast_host(const float* prims, const int* counts, const int* scene_of_view, const float* cameras,
-                          const float* environments, float* rgb, float* alpha, float* depth, int height, int width,
-                          int prims_per_scene, int supersample, int views) {
+                          const float* environments, float* rgb, float* alpha, float* depth, float* shade, int height,
+                          int width, int prims_per_scene, int supersample, int views) {
 #pragma omp parallel for schedule(dynamic)
     for (int row = 0; row < views * height; row++)
         for (int x = 0; x < width; x++) {
             blockIdx = {x, row % height, row / height};
-            cast(prims, counts, scene_of_view, cameras, environments, rgb, alpha, depth, height, width,
+            cast(prims, counts, scene_of_view, cameras, environments, rgb, alpha, depth, shade, height, width,
                  prims_per_scene, supersample);
         }
 }
@@ -72,24 +72,26 @@ def as_cupy(tensor):
 def cast(prims, counts, scene_of_view, cameras, environments, size, supersample=2):
     """Render square views of `size` pixels with supersample^2 rays a pixel.
 
-    prims [S, P, 36] float32, counts [S] int32, scene_of_view [V] int32, cameras [V, 20], environments [S, 36]
+    prims [S, P, 36] float32, counts [S] int32, scene_of_view [V] int32, cameras [V, 20], environments [S, 40]
     (rows as in `layout`). Returns rgb [V, 3, H, W] (sRGB 0..1; views of the subject alone are premultiplied in linear
-    light), alpha [V, H, W] and depth [V, H, W] (camera z, 0 where there is nothing).
+    light), alpha [V, H, W], depth [V, H, W] (camera z, 0 where there is nothing) and shade [V, H, W], the share of each
+    pixel that is not the subject and lies in a shadow.
     """
     views = len(scene_of_view)
     prims_per_scene = prims.shape[1]
     rgb = torch.zeros(views, 3, size, size, device=prims.device)
     alpha = torch.zeros(views, size, size, device=prims.device)
     depth = torch.zeros(views, size, size, device=prims.device)
+    shade = torch.zeros(views, size, size, device=prims.device)
     inputs = [t.contiguous() for t in (prims, counts, scene_of_view, cameras, environments)]
-    tensors = (*inputs, rgb, alpha, depth)
+    tensors = (*inputs, rgb, alpha, depth, shade)
     numbers = (size, size, prims_per_scene, supersample)
     if prims.is_cuda:
         launch(tensors, numbers, views, size, prims_per_scene)
     else:
         pointers = [ctypes.c_void_p(t.data_ptr()) for t in tensors]
         host_library().cast_host(*pointers, *map(ctypes.c_int, (*numbers, views)))
-    return rgb, alpha, depth
+    return rgb, alpha, depth, shade
 
 
 def launch(tensors, numbers, views, size, prims_per_scene):
