@@ -15,7 +15,7 @@ from nets import CROP_HALF, CROP_NEARNESS
 
 from .cameras import crop, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
-from .foliage import broadleaf
+from .foliage import broadleaf, leafy
 from .layout import (
     BALL,
     BOX,
@@ -40,7 +40,6 @@ from .layout import (
 from .lens import defocused, exposed, stored
 from .objects import COMPANIONS, make_object
 from .raycast import cast
-from .structures import leafy
 from .textures import make_bank, textured
 
 # Objects that may stand around the subject of a photo.

@@ -5,36 +5,19 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .aircraft import jet, rocket, rotorcraft
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship, trawler
 from .creatures import bird, bust, person, quadruped, soft_toy
-from .foliage import broadleaf
+from .foliage import broadleaf, leafy
+from .frames import crane, fence, lattice_mast, scaffold, street_furniture
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
 from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
-from .machines import boat, cycle, digger, forklift, gun, jet, plant_hall, rocket, rotorcraft, round_car, tractor, train
-from .structures import (
-    arch,
-    block,
-    castle,
-    church,
-    crane,
-    fence,
-    fountain,
-    gabled_house,
-    lattice_mast,
-    leafy,
-    pavilion,
-    play_house,
-    scaffold,
-    statue,
-    street_furniture,
-    tank_tower,
-    temple,
-    tiered,
-    windmill,
-)
+from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
+from .monuments import fountain, statue, tank_tower, windmill
+from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .vehicles import bike, bus, car, tank, truck
 
