@@ -17,8 +17,8 @@ pub struct Weights {
 /// Photo → subject mask, inverse depth and the camera's elevation.
 pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.4",
-    sha256: "c4ee01cde8015cb3c705017f4ddd1d42ccdae54c5ebbf52120fae0629b886a43",
+    version: "0.5",
+    sha256: "e16a1da76f9e21334095990a1ba7cc57fe4a079c0cbdda76861dfc7b06f630a7",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
