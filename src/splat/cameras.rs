@@ -80,8 +80,8 @@ fn camera<'a>(c: &Value, matrix: &'a str) -> Result<Camera, Wrong<'a>> {
     })
 }
 
-/// `count` square cameras around Gaussians, 20° above them, counter-clockwise from −Y, all of them in view.
-pub fn turntable(g: &Gaussians, count: usize, size: u32) -> Vec<(String, Camera)> {
+/// A ball around Gaussians: centre and radius, in their units.
+pub fn ball(g: &Gaussians) -> (Vec3, f32) {
     // Two standard deviations along the longest axis belong to a Gaussian.
     let balls = g.positions.iter().zip(&g.log_scales).map(|(p, s)| (*p, 2.0 * s.max_element().exp()));
     let finite: Vec<(Vec3, f32)> = balls.filter(|(p, r)| p.is_finite() && r.is_finite()).collect();
@@ -90,7 +90,12 @@ pub fn turntable(g: &Gaussians, count: usize, size: u32) -> Vec<(String, Camera)
     let mut far: Vec<f32> = finite.iter().map(|(p, r)| p.distance(centre) + r).collect();
     far.sort_by(f32::total_cmp);
     // A few floaters must not make the subject small.
-    let radius = far.get(far.len() * 98 / 100).copied().unwrap_or(1.0).max(1e-3);
+    (centre, far.get(far.len() * 98 / 100).copied().unwrap_or(1.0).max(1e-3))
+}
+
+/// `count` square cameras around Gaussians, 20° above them, counter-clockwise from −Y, all of them in view.
+pub fn turntable(g: &Gaussians, count: usize, size: u32) -> Vec<(String, Camera)> {
+    let (centre, radius) = ball(g);
     let fov = 40f32.to_radians();
     let distance = 1.1 * radius / (fov / 2.0).sin();
     let elevation = 20f32.to_radians();

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::binning::{Bins, TILE};
 use super::projection::{Shown, SplatGradient, View};
 use super::raster_backward::{Backward, TileLoss};
-use super::raster_forward::{Forward, PIXELS, TileDepth, TilePixels};
+use super::raster_forward::{Forward, TileDepth, TilePixels};
 use crate::splat::packed::Packed;
 use crate::splat::simd::dispatch;
 use crate::splat::{Camera, Gaussians};
@@ -25,17 +25,44 @@ pub struct Frame {
     pub median_depth: Vec<f32>,
 }
 
-/// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
-///
-/// α = min(0.99, o·e^−σ), contributions below 1/255 skipped, a pixel finished before its transmittance falls to 1e-4;
-/// low-pass of 0.3 pixel² (Kerbl et al. 2023; constants as in gsplat 1.6).
+/// Draws one set of Gaussians from many cameras: what does not depend on the camera is kept from picture to picture.
+pub struct Drawer {
+    gaussians: Packed,
+    raster: Raster,
+    depths: Vec<TileDepth>,
+    /// False leaves a picture's depths empty.
+    pub depth: bool,
+}
+
+impl Drawer {
+    pub fn new(g: &Gaussians) -> Self {
+        Drawer { gaussians: Packed::pack(g), raster: Raster::default(), depths: Vec::new(), depth: true }
+    }
+
+    /// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
+    ///
+    /// α = min(0.99, o·e^−σ), contributions below 1/255 skipped, a pixel finished before its transmittance falls to 1e-4;
+    /// low-pass of 0.3 pixel² (Kerbl et al. 2023; constants as in gsplat 1.6).
+    pub fn render(&mut self, camera: &Camera, background: [f32; 3]) -> Frame {
+        self.draw(&View::new(camera), background)
+    }
+
+    /// The normal of the surface at every pixel; see [`normals`].
+    pub fn normals(&mut self, camera: &Camera) -> Vec<[f32; 3]> {
+        let frame = self.draw(&View { shown: Shown::Normals, ..View::new(camera) }, [0.0; 3]);
+        unit(&frame.color, &frame.alpha)
+    }
+
+    fn draw(&mut self, view: &View, background: [f32; 3]) -> Frame {
+        self.raster.bins.build(&self.gaussians, view, 3);
+        self.raster.forward(view, self.depth.then_some(&mut self.depths));
+        self.raster.frame(view, background, self.depth.then_some(self.depths.as_slice()))
+    }
+}
+
+/// One picture; see [`Drawer::render`].
 pub fn render(g: &Gaussians, camera: &Camera, background: [f32; 3]) -> Frame {
-    let view = View::new(camera);
-    let mut raster = Raster::default();
-    raster.bins.build(&Packed::pack(g), &view, 3);
-    let mut depths = Vec::new();
-    raster.forward(&view, Some(&mut depths));
-    raster.frame(&view, background, &depths)
+    Drawer::new(g).render(camera, background)
 }
 
 /// The normal of the surface at every pixel, rows from the top: a unit vector in camera space (x right, y down,
@@ -43,13 +70,7 @@ pub fn render(g: &Gaussians, camera: &Camera, background: [f32; 3]) -> Frame {
 ///
 /// Σ w·n over the Gaussians, normalised, with n the shortest axis of each: of a round one it means nothing.
 pub fn normals(g: &Gaussians, camera: &Camera) -> Vec<[f32; 3]> {
-    let view = View { shown: Shown::Normals, ..View::new(camera) };
-    let mut raster = Raster::default();
-    raster.bins.build(&Packed::pack(g), &view, 3);
-    let mut depths = Vec::new();
-    raster.forward(&view, Some(&mut depths));
-    let frame = raster.frame(&view, [0.0; 3], &depths);
-    unit(&frame.color, &frame.alpha)
+    Drawer::new(g).normals(camera)
 }
 
 /// Of length one, where anything is drawn.
@@ -124,29 +145,50 @@ impl Raster {
         (sum != [0.0; 9]).then_some(SplatGradient { g, x, y, xx, xy, yy, color: [r, gr, b] })
     }
 
-    fn frame(&self, view: &View, background: [f32; 3], depths: &[TileDepth]) -> Frame {
+    /// The tiles as a picture; without `depths`, one without.
+    fn frame(&self, view: &View, background: [f32; 3], depths: Option<&[TileDepth]>) -> Frame {
         let (width, height) = (view.width, view.height);
         let mut color = vec![[0.0; 3]; width * height];
         let mut alpha = vec![0.0; width * height];
-        let mut depth = vec![0.0; width * height];
-        let mut median_depth = vec![0.0; width * height];
-        for (t, (pixels, z)) in self.tiles.iter().zip(depths).enumerate() {
-            let (x0, y0) = (t % self.bins.tiles_x * TILE, t / self.bins.tiles_x * TILE);
-            for i in 0..PIXELS {
-                let (x, y) = (x0 + i % TILE, y0 + i / TILE);
-                if x >= width || y >= height {
-                    continue;
-                }
-                let at = y * width + x;
-                let through = pixels.transmittance[i].abs();
-                color[at] = std::array::from_fn(|c| pixels.color[c][i] + through * background[c]);
-                alpha[at] = 1.0 - through;
-                if alpha[at] >= 1.0 / 255.0 {
-                    depth[at] = z.expected[i] / alpha[at];
-                }
-                median_depth[at] = z.median[i];
+        let deep = if depths.is_some() { width * height } else { 0 };
+        let (mut depth, mut median_depth) = (vec![0.0; deep], vec![0.0; deep]);
+        let across = self.bins.tiles_x;
+        // A row of tiles is one job.
+        let band = (TILE * width).max(1);
+        let paint = |row: usize, color: &mut [[f32; 3]], alpha: &mut [f32]| {
+            for (t, pixels) in self.tiles[row * across..][..across].iter().enumerate() {
+                inside(t * TILE, width, color.len() / width, |i, at| {
+                    let through = pixels.transmittance[i].abs();
+                    color[at] = std::array::from_fn(|c| pixels.color[c][i] + through * background[c]);
+                    alpha[at] = 1.0 - through;
+                });
             }
+        };
+        color.par_chunks_mut(band).zip(alpha.par_chunks_mut(band)).enumerate().for_each(|(r, (c, a))| paint(r, c, a));
+        if let Some(depths) = depths {
+            let measure = |row: usize, depth: &mut [f32], median: &mut [f32], alpha: &[f32]| {
+                for (t, z) in depths[row * across..][..across].iter().enumerate() {
+                    inside(t * TILE, width, depth.len() / width, |i, at| {
+                        if alpha[at] >= 1.0 / 255.0 {
+                            depth[at] = z.expected[i] / alpha[at];
+                        }
+                        median[at] = z.median[i];
+                    });
+                }
+            };
+            let rows = depth.par_chunks_mut(band).zip(median_depth.par_chunks_mut(band)).zip(alpha.par_chunks(band));
+            rows.enumerate().for_each(|(r, ((d, m), a))| measure(r, d, m, a));
         }
         Frame { width, height, color, alpha, depth, median_depth }
+    }
+}
+
+/// Every pixel of the tile at column `x0` that lies within `width` and `height`: its place in the tile and in the rows.
+#[inline(always)]
+fn inside(x0: usize, width: usize, height: usize, mut visit: impl FnMut(usize, usize)) {
+    for y in 0..height.min(TILE) {
+        for x in 0..TILE.min(width.saturating_sub(x0)) {
+            visit(y * TILE + x, y * width + x0 + x);
+        }
     }
 }
