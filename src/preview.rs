@@ -39,6 +39,23 @@ pub fn sheet(rows: &[Vec<Tile>], banner: &str) -> RgbImage {
     sheet
 }
 
+/// The picture of a sheet's first tile, as it was put there; `None` for what is no sheet. A sheet begins with three tiles.
+pub fn first_tile(sheet: &RgbImage) -> Option<RgbImage> {
+    let side = WIDTH / 3;
+    if sheet.width() != WIDTH || sheet.height() < BANNER + side {
+        return None;
+    }
+    let tile = imageops::crop_imm(sheet, 0, BANNER, side, side).to_image();
+    let drawn = tile.enumerate_pixels().filter(|(_, _, p)| **p != PAPER).map(|(x, y, _)| (x, y));
+    let (mut low, mut high) = ((side, side), (0, 0));
+    for (x, y) in drawn {
+        low = (low.0.min(x), low.1.min(y));
+        high = (high.0.max(x + 1), high.1.max(y + 1));
+    }
+    let found = low.0 < high.0 && low.1 < high.1;
+    found.then(|| imageops::crop_imm(&tile, low.0, low.1, high.0 - low.0, high.1 - low.1).to_image())
+}
+
 /// Mask over the photo: what is not the subject goes dark.
 pub fn masked(photo: &RgbImage, mask: &Plane) -> RgbImage {
     RgbImage::from_fn(photo.width(), photo.height(), |x, y| {
@@ -51,22 +68,25 @@ pub fn masked(photo: &RgbImage, mask: &Plane) -> RgbImage {
     })
 }
 
+/// Dark blue at 0, bright yellow at 1: five stops of viridis.
+pub fn ramp(t: f32) -> [f32; 3] {
+    const STOPS: [[f32; 3]; 5] =
+        [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
+    let t = t.clamp(0.0, 1.0) * 3.999;
+    let (i, f) = (t as usize, t.fract());
+    std::array::from_fn(|c| STOPS[i][c] * (1.0 - f) + STOPS[i + 1][c] * f)
+}
+
 /// Near is bright yellow, far is dark blue; where the mask is 0, paper.
 pub fn depth_colours(depth: &Plane, mask: &Plane) -> RgbImage {
-    const RAMP: [[f32; 3]; 5] =
-        [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
     RgbImage::from_fn(depth.width as u32, depth.height as u32, |x, y| {
         let (x, y) = (x as usize, y as usize);
         let m = mask.at(
             (x * mask.width / depth.width).min(mask.width - 1),
             (y * mask.height / depth.height).min(mask.height - 1),
         );
-        let t = depth.at(x, y).clamp(0.0, 1.0) * 3.999;
-        let (i, f) = (t as usize, t.fract());
-        Rgb(std::array::from_fn(|c| {
-            let v = RAMP[i][c] * (1.0 - f) + RAMP[i + 1][c] * f;
-            (v * m + f32::from(PAPER.0[c]) * (1.0 - m)) as u8
-        }))
+        let colour = ramp(depth.at(x, y));
+        Rgb(std::array::from_fn(|c| (colour[c] * m + f32::from(PAPER.0[c]) * (1.0 - m)) as u8))
     })
 }
 
@@ -117,5 +137,10 @@ mod tests {
         assert_eq!(image.dimensions(), (1536, 512 + 256 + 48 + 64));
         assert_eq!(image.get_pixel(256, 32 + 256).0, [200, 10, 10]);
         assert!(image.enumerate_pixels().any(|(_, y, p)| y < 32 && p.0 == INK.0), "no banner drawn");
+        let first = first_tile(&image).unwrap();
+        // Four times as large at most.
+        assert_eq!(first.dimensions(), (256, 128));
+        assert!(first.pixels().all(|p| p.0 == [200, 10, 10]));
+        assert!(first_tile(&red).is_none() && first_tile(&RgbImage::from_pixel(WIDTH, 600, PAPER)).is_none());
     }
 }

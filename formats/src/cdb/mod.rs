@@ -39,6 +39,7 @@ mod texture;
 use crate::xml;
 
 pub use add::{Added, add_model, add_version};
+pub use archive::Archive;
 pub use check::{Finding, Report, RuleReport, Verdict, check, report};
 pub use dis::EntityType;
 pub use material::{Base, Material};
