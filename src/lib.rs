@@ -21,6 +21,8 @@ pub mod progress;
 pub mod sources;
 pub mod splat;
 pub mod symmetry;
+#[cfg(feature = "view")]
+pub mod view;
 pub mod views;
 mod whole_file;
 

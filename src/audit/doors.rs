@@ -36,7 +36,7 @@ const DOORS: [&str; 23] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 28] = [
+const KEEPERS: [(&str, &str); 29] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -65,6 +65,7 @@ const KEEPERS: [(&str, &str); 28] = [
     ("src/splat/render/gpu/cache.rs", "compiled shaders"),
     ("src/splat/render/gpu/device.rs", "compiled shaders"),
     ("src/splat/train/checkpoint.rs", "a fit that goes on later"),
+    ("src/view/open.rs", "the page that leads the user's browser to the viewer, gone when the viewer ends"),
 ];
 
 /// Files written for `--checkpoint`, caches and the like, aside and whole.

@@ -19,6 +19,8 @@ pub mod reconstruct;
 pub mod render;
 mod sealed;
 mod summary;
+#[cfg(feature = "view")]
+pub mod view;
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -50,6 +52,9 @@ enum Verb {
     Cdb(cdb::CdbArgs),
     /// Draw a splat (PLY) from cameras, on the GPU where there is one.
     Render(render::Render),
+    /// Look at a scene in a browser: a page on a local port.
+    #[cfg(feature = "view")]
+    View(view::View),
     /// Score reconstructions by Orb-Bench; measure this machine.
     Bench(bench::BenchArgs),
     /// Import networks, list, check and remove them. Nothing is downloaded.
@@ -85,6 +90,8 @@ pub fn main() -> ExitCode {
         Verb::Audit(args) => args.recorded_as(),
         Verb::Bench(args) => bench::command(args),
         Verb::Cdb(_) | Verb::Doctor(_) => None,
+        #[cfg(feature = "view")]
+        Verb::View(_) => None,
     };
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
@@ -92,6 +99,8 @@ pub fn main() -> ExitCode {
         Verb::Export(args) => export::run(&args, &stop),
         Verb::Cdb(args) => cdb::run(&args).map(show),
         Verb::Render(args) => render::publish(&args, &stop),
+        #[cfg(feature = "view")]
+        Verb::View(args) => view::run(&args, &stop),
         Verb::Bench(args) => bench::run(&args, &stop),
         Verb::Models(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| models::run(&args, &data))
