@@ -279,7 +279,9 @@ fn a_user_turns_measures_and_sees_the_marking() {
     // A phone, and the same page at 200 %: nothing sticks out sideways, the banners are in view.
     for (name, width, height, factor, touch) in [("phone", 390, 844, 3.0, true), ("zoomed", 640, 400, 2.0, false)] {
         browser.size(width, height, factor, touch);
-        browser.until("document.getElementById('stage').clientWidth <= innerWidth");
+        let e = "document.getElementById('stage')";
+        browser.until(&format!("{e}.clientWidth <= innerWidth"));
+        browser.until(&format!("{e}.dataset.rested === {e}.clientWidth + 'x' + {e}.clientHeight"));
         assert_eq!(browser.value("String(document.documentElement.scrollWidth <= innerWidth)"), "true", "{name}");
         assert_eq!(browser.value(banners), "CUI,true CUI,true", "{name}");
         browser.picture(name);

@@ -164,11 +164,11 @@ mod tests {
     #[test]
     fn north_and_the_arrow_part_by_the_heading() {
         let rays = Rays::new(&above());
-        let ground = Ground { step: 1.0, ..Ground::new(3.0, 90.0, false) };
+        let ground = Ground { step: 4.0, ..Ground::new(3.0, 90.0, false) };
         let at =
             |x: f32, y: f32| ground.over(&rays, (50.0 + 10.0 * x) as usize, (50.0 - 10.0 * y - 0.5) as usize, [1.0; 3]);
         let close = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.2);
-        // The camera looked east: the arrow goes up in the picture, north is to the left.
+        // Wide lines: what is looked at is no edge. The camera looked east: the arrow goes up in the picture, north is to the left.
         assert!(close(at(0.0, 3.0), ground.arrow), "{:?}", at(0.0, 3.0));
         assert!(close(at(-3.0, 0.0), ground.north), "{:?}", at(-3.0, 0.0));
         assert_eq!(at(2.45, 2.45), [1.0; 3]);

@@ -62,9 +62,9 @@ fn write(path: &Path, address: &str) -> std::io::Result<()> {
         options.mode(0o600);
     }
     let mut file = options.open(path)?;
-    write!(
+    writeln!(
         file,
         "<!doctype html><meta charset=utf-8><meta name=referrer content=no-referrer>\
-         <meta http-equiv=refresh content=\"0;url={address}\"><title>Orb</title><a href=\"{address}\">Orb's viewer</a>\n"
+         <meta http-equiv=refresh content=\"0;url={address}\"><title>Orb</title><a href=\"{address}\">Orb's viewer</a>"
     )
 }

@@ -167,7 +167,7 @@ async fn scene(State(site): State<Arc<Site>>) -> Response {
 type AskedFor = Result<Asked<Query>, QueryRejection>;
 
 async fn frame(State(site): State<Arc<Site>>, asked: AskedFor) -> Result<Response, Response> {
-    let (query, camera) = understood(&site, asked)?;
+    let (query, camera) = understood(&site, asked).map_err(|e| refuse(StatusCode::BAD_REQUEST, &e))?;
     let (jpeg, took) = site.worker.picture(query, camera).await.map_err(no_answer)?;
     let timing = format!("draw;dur={:.1}", took.as_secs_f64() * 1e3);
     let headers =
@@ -176,7 +176,7 @@ async fn frame(State(site): State<Arc<Site>>, asked: AskedFor) -> Result<Respons
 }
 
 async fn point(State(site): State<Arc<Site>>, asked: AskedFor) -> Result<Response, Response> {
-    let (query, camera) = understood(&site, asked)?;
+    let (query, camera) = understood(&site, asked).map_err(|e| refuse(StatusCode::BAD_REQUEST, &e))?;
     let point = site.worker.point(query, camera).await.map_err(no_answer)?;
     let place = |p: &draw::Point| {
         let on_earth = site.subject.place?.to_geodetic(p.at.map(f64::from));
@@ -193,10 +193,9 @@ async fn photo(State(site): State<Arc<Site>>) -> Response {
     }
 }
 
-fn understood(site: &Site, asked: AskedFor) -> Result<(Query, crate::splat::Camera), Response> {
-    let bad = |words: &str| refuse(StatusCode::BAD_REQUEST, words);
-    let Asked(query) = asked.map_err(|e| bad(&e.body_text()))?;
-    let camera = query.camera(site.subject.centre, site.subject.radius).map_err(|e| bad(&e))?;
+fn understood(site: &Site, asked: AskedFor) -> Result<(Query, crate::splat::Camera), String> {
+    let Asked(query) = asked.map_err(|e| e.body_text())?;
+    let camera = query.camera(site.subject.centre, site.subject.radius)?;
     Ok((query, camera))
 }
 

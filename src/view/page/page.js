@@ -19,6 +19,8 @@ const points = [];
 let [version, drawn, drawnAtRest, moving, scale, sent] = [0, -1, false, false, 0.6, null];
 let shown = { ...camera };
 let [rest, measuring, turning, said] = [0, false, false, ""];
+// Until the user moves or zooms, the whole scene stays in the picture, however the window changes.
+let fitted = true;
 
 function say(text) {
   if (text !== said) $("state").textContent = said = text;
@@ -62,6 +64,7 @@ async function ask() {
       if (!atRest) scale = Math.min(1, Math.max(0.25, scale * Math.min(1.25, Math.max(0.7, Math.sqrt(QUICK / (performance.now() - begin))))));
       [drawn, drawnAtRest, shown] = [mine.version, atRest, mine.camera];
       stage.dataset.pictures = Number(stage.dataset.pictures || 0) + 1;
+      if (atRest) stage.dataset.rested = `${stage.clientWidth}x${stage.clientHeight}`;
       overlay();
       if (atRest && drawn === version) describe();
     }
@@ -85,6 +88,8 @@ async function paint(blob) {
 
 // ---- words
 
+// Three digits, zeros and all.
+const length = (v) => (v < 1000 ? v.toPrecision(3) : v.toFixed(0));
 const number = (v, digits = 3) => Number(v.toPrecision(digits)).toLocaleString("en", { maximumFractionDigits: 4 });
 
 function describe() {
@@ -154,9 +159,9 @@ function overlay() {
 
 function measured() {
   const d = add(points[1].at, points[0].at, -1);
-  const [length, across] = [Math.hypot(...d), Math.hypot(d[0], d[1])];
-  const known = scene.metric && scene.scale ? ` ± ${number((length * scene.scale[1]) / 100, 2)} ${unit} by the scale (${scene.scale[0]})` : "";
-  return { short: `${number(length)} ${unit}`, long: `Distance ${number(length)} ${unit}${known}; ${number(across)} across, ${number(Math.abs(d[2]))} up.` };
+  const [whole, across] = [Math.hypot(...d), Math.hypot(d[0], d[1])];
+  const known = scene.metric && scene.scale ? ` ± ${number((whole * scene.scale[1]) / 100, 2)} ${unit} by the scale (${scene.scale[0]})` : "";
+  return { short: `${length(whole)} ${unit}`, long: `Distance ${length(whole)} ${unit}${known}; ${length(across)} across, ${length(Math.abs(d[2]))} up.` };
 }
 
 async function pick(x, y) {
@@ -196,6 +201,7 @@ function turn(az, el) {
 }
 
 function move(dx, dy) {
+  fitted = false;
   const { right, down } = axes(camera, scene);
   const pixel = (2 * camera.dist * Math.tan((scene.field * Math.PI) / 360)) / stage.clientHeight;
   let t = [camera.tx, camera.ty, camera.tz];
@@ -206,11 +212,13 @@ function move(dx, dy) {
 }
 
 function zoom(by) {
+  fitted = false;
   camera.dist = Math.min(50 * scene.radius, Math.max(0.05 * scene.radius, camera.dist * by));
   changed();
 }
 
 function fit() {
+  fitted = true;
   Object.assign(camera, { dist: fitting(scene, stage.clientWidth, stage.clientHeight), tx: 0, ty: 0, tz: 0 });
   changed();
 }
@@ -353,5 +361,7 @@ if (scene.levels.length) {
 }
 $("compare").hidden = !scene.photo;
 placed();
-camera.dist = fitting(scene, stage.clientWidth, stage.clientHeight);
-new ResizeObserver(() => { overlay(); changed(); }).observe(stage);
+new ResizeObserver(() => {
+  if (fitted) camera.dist = fitting(scene, stage.clientWidth, stage.clientHeight);
+  changed();
+}).observe(stage);
