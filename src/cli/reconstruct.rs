@@ -93,7 +93,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         event_type: "scene.reconstruct",
         time: time::now()?,
         inputs: front.inputs().to_vec(),
-        models: geo::models(&done.sources, &report.device, front.colmap()),
+        models: geo::recorded::models(&done.sources, &report.device, front.colmap()),
         params: BTreeMap::from([
             ("seed".into(), Param::Text(args.seed.to_string())),
             ("device".into(), Param::Text(report.device.clone())),

@@ -26,6 +26,14 @@ export function project(point, camera, scene, width, height) {
   return [width / 2 + (focal * dot(from, right)) / z, height / 2 + (focal * dot(from, down)) / z];
 }
 
+/** Whether the scene's middle stands before a point. */
+export function hidden(point, camera, scene) {
+  const { eye } = axes(camera, scene);
+  const [to, middle] = [add(point, eye, -1), add(scene.centre, eye, -1)];
+  const along = dot(to, middle) / dot(to, to);
+  return along > 0 && along < 1 && Math.hypot(...add(middle, to, -along)) < 0.6 * scene.radius;
+}
+
 /** From how far the whole scene is in the picture. */
 export function fitting(scene, width, height) {
   const up = (scene.field / 2) * RADIANS;

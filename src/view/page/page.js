@@ -1,6 +1,6 @@
 // Asks the server for pictures and steers the camera. One picture is on its way at a time; the next one asked for is of
 // where the camera is then, so a slow line shows fewer pictures and never old ones.
-import { add, axes, bearing, fitting, onGround, project } from "./camera.js";
+import { add, axes, bearing, fitting, hidden, onGround, project } from "./camera.js";
 
 const $ = (id) => document.getElementById(id);
 const [stage, frame, marks, legend] = ["stage", "frame", "marks", "legend"].map($);
@@ -127,14 +127,20 @@ function overlay() {
   const { clientWidth: w, clientHeight: h } = stage;
   const at = (p) => project(p, shown, scene, w, h);
   const out = [];
+  let pole = null;
   if (look.grid) {
     const far = 10.4 * scene.grid_step;
     for (const [name, east, north] of [["N", 0, far], ["E", far, 0], ["S", 0, -far], ["W", -far, 0]]) {
-      const p = at(onGround(east, north, scene));
+      const place = onGround(east, north, scene);
+      const p = hidden(place, shown, scene) ? null : at(place);
       if (p) out.push(element("text", { x: p[0], y: p[1] + 4, class: name === "N" ? "north" : "" }, name));
+      if (p && name === "N") pole = p;
     }
-    const tip = at([0, 8.5 * scene.grid_step, 0]);
-    if (tip) out.push(element("text", { x: tip[0], y: tip[1] }, "heading"));
+    const arrow = [0, 8.5 * scene.grid_step, 0];
+    const tip = hidden(arrow, shown, scene) ? null : at(arrow);
+    // One below the other where they would meet.
+    const low = tip && pole && Math.hypot(tip[0] - pole[0], tip[1] - pole[1]) < 30 ? 20 : 0;
+    if (tip) out.push(element("text", { x: tip[0], y: tip[1] + low }, "heading"));
   }
   const rose = element("g", { transform: `translate(${w - 34} 36) rotate(${-bearing(shown, scene)})` });
   rose.append(element("circle", { r: 18, class: "rose" }), element("path", { d: "M0 -16 L5 4 L0 1 L-5 4 Z", class: "needle" }), element("text", { y: -20, class: "north" }, "N"));
