@@ -151,7 +151,7 @@ impl Sources {
     /// Six views drawn by others, and the prior settled among them.
     ///
     /// # Errors
-    /// As [`zero123::six_views`], [`zero123::six_normals`], [`tile::cut`], [`tile::normals`] and [`pose::settle`].
+    /// As [`zero123::six_views`], [`tile::cut`], [`tile::normals`] and [`pose::settle`].
     pub fn six_views(
         &self,
         prior: &mut OneView,
@@ -196,7 +196,7 @@ impl Sources {
         let tile = match tile {
             Some(tile) => tile,
             None => {
-                let tile = zero123::six_views(picture, &prompt()?, &mut open, settings, progress)?;
+                let tile = zero123::six_views(picture, None, &prompt()?, &mut open, settings, progress)?;
                 keep(&key, &tile)?;
                 tile
             }
@@ -207,7 +207,7 @@ impl Sources {
         let normals = match kept(&normals_key) {
             Some(normals) => normals,
             None => {
-                let normals = zero123::six_normals(&tile, picture, &prompt()?, &mut open, settings, progress)?;
+                let normals = zero123::six_views(picture, Some(&tile), &prompt()?, &mut open, settings, progress)?;
                 keep(&normals_key, &normals)?;
                 normals
             }

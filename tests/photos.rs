@@ -56,6 +56,23 @@ fn record(folder: &Path) -> Value {
     serde_json::from_slice(&payload).unwrap()
 }
 
+/// The model stands where the truth says, so many metres off across and up at most, by the photos' own place.
+fn stands(told: &Value, truth: &Value, [across, up]: [f64; 2]) {
+    let g = &told["georeference"];
+    let off = |name: &str, metres: f64| (g[name].as_f64().unwrap() - truth[name].as_f64().unwrap()) * metres;
+    let found = off("latitude", 111_200.0).hypot(off("longitude", 74_300.0));
+    assert!(found < across && off("ellipsoidal_height_m", 1.0).abs() < up, "{g}");
+    let sources = [&g["heading_source"], &told["scale"]["source"]];
+    assert_eq!(sources, ["georegistration"; 2]);
+}
+
+/// Metres of a unit of the world that the poses are in.
+fn metres_of_the_world(told: &Value, predicate: &Value) -> f64 {
+    let said = predicate["params"]["world_to_unit"].as_str().unwrap();
+    let unit: f64 = said.split_whitespace().nth(1).unwrap().parse().unwrap();
+    told["scale"]["metres_per_unit"].as_f64().unwrap() * unit
+}
+
 #[test]
 fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     let b = Bench::new("9", "256", &["--gps-noise", "0.2"]);
@@ -65,15 +82,8 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     let told: Value = serde_json::from_str(&b.good(&[&made[..], &["--json", "-o", "van"]].concat())).unwrap();
     b.good(&["audit", "verify", "van"]);
     let truth = json(&b.at("sets/01_van/truth/cameras.json"));
-    // The place: GPS of 0.2 m in nine photos, and a mesh whose middle is a little off.
-    let g = &told["georeference"];
-    let off = |name: &str, metres: f64| (g[name].as_f64().unwrap() - truth[name].as_f64().unwrap()) * metres;
-    let across = off("latitude", 111_200.0).hypot(off("longitude", 74_300.0));
-    assert!(across < 0.5 && off("ellipsoidal_height_m", 1.0).abs() < 0.8, "{g}");
-    assert_eq!(
-        (&g["heading_source"], &told["scale"]["source"]),
-        (&"georegistration".into(), &"georegistration".into())
-    );
+    // GPS of 0.2 m in nine photos, and a mesh whose middle is a little off.
+    stands(&told, &truth, [0.5, 0.8]);
     // The reference looks along +Y: its true bearing is that of its axis to the origin, turned by the set's heading.
     let p = &record(&b.at("van"))["predicate"];
     let params = &p["params"];
@@ -82,12 +92,10 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     let row = |i: usize, k: usize| view["w2c_opencv"][i][k].as_f64().unwrap();
     let eye = |k: usize| -(0..3).map(|i| row(i, k) * row(i, 3)).sum::<f64>();
     let bearing = (-eye(0)).atan2(-eye(1)).to_degrees() + truth["heading_deg"].as_f64().unwrap();
-    let turned = (g["heading_deg"].as_f64().unwrap() - bearing + 540.0).rem_euclid(360.0) - 180.0;
+    let turned = (told["georeference"]["heading_deg"].as_f64().unwrap() - bearing + 540.0).rem_euclid(360.0) - 180.0;
     assert!(turned.abs() < 4.0, "{turned}");
     // The size: one unit of COLMAP's world is 2.70 m.
-    let said = params["world_to_unit"].as_str().unwrap();
-    let scale: f64 = said.split_whitespace().nth(1).unwrap().parse().unwrap();
-    let metres = told["scale"]["metres_per_unit"].as_f64().unwrap() * scale;
+    let metres = metres_of_the_world(&told, p);
     let ratio = metres / truth["metres_per_world_unit"].as_f64().unwrap();
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
     // Every photo and every file of poses is an input, by its hash; two photos of nine are held out.
@@ -197,19 +205,10 @@ fn control_points_place_photos_that_know_nothing_of_the_earth() {
         serde_json::from_str(&b.good(&[&made[..], &["--gcp", &control, "--json", "-o", "van"]].concat())).unwrap();
     b.good(&["audit", "verify", "van"]);
     let truth = json(&b.at("sets/01_van/truth/cameras.json"));
-    let g = &told["georeference"];
-    let off = |name: &str, metres: f64| (g[name].as_f64().unwrap() - truth[name].as_f64().unwrap()) * metres;
-    let across = off("latitude", 111_200.0).hypot(off("longitude", 74_300.0));
-    assert!(across < 0.4 && off("ellipsoidal_height_m", 1.0).abs() < 0.3, "{g}");
-    assert_eq!(
-        (&g["heading_source"], &told["scale"]["source"]),
-        (&"georegistration".into(), &"georegistration".into())
-    );
+    stands(&told, &truth, [0.4, 0.3]);
     // The world is 0.37 of the truth's metres.
     let p = &record(&b.at("van"))["predicate"];
-    let said = p["params"]["world_to_unit"].as_str().unwrap();
-    let unit: f64 = said.split_whitespace().nth(1).unwrap().parse().unwrap();
-    let metres = told["scale"]["metres_per_unit"].as_f64().unwrap() * unit;
+    let metres = metres_of_the_world(&told, p);
     assert!((metres * 0.37 - 1.0).abs() < 0.005, "{metres}");
     let roles: Vec<&str> = p["inputs"].as_array().unwrap().iter().map(|i| i["role"].as_str().unwrap()).collect();
     assert!(roles.contains(&"control-points") && roles.contains(&"poses"), "{roles:?}");

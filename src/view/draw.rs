@@ -62,10 +62,7 @@ impl<'a> Splats<'a> {
                 renderer.depth = true;
                 renderer.normals(scene, camera)
             }
-            Splats::Cpu(drawer) => {
-                drawer.depth = true;
-                Ok(drawer.normals(camera))
-            }
+            Splats::Cpu(drawer) => Ok(drawer.normals(camera)),
         }
     }
 }

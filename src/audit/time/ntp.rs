@@ -1,4 +1,5 @@
-//! One question to a time server (SNTP, RFC 4330): the only network access that Orb has, made only when a user names a server.
+//! One question to a time server (SNTP, RFC 4330): the only server that Orb ever asks, and only when a
+//! user names it.
 //! Nothing authenticates the answer but that it repeats what was asked.
 
 use std::io;

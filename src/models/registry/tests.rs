@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use super::*;
 use crate::Kind;
 use crate::models::Rten;
+use crate::models::zero123::prompt_file;
 
 pub(crate) fn stub(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/contracts").join(name)
@@ -345,14 +346,7 @@ pub(crate) fn zero123(folder: &Path, read: &str, control: bool) -> PathBuf {
     if control {
         std::fs::copy(stub("controlnet.onnx"), folder.join("controlnet.onnx")).unwrap();
     }
-    let (first, last) = (77 * 1024 * 4, 77 * 1024 * 4 + 77 * 4);
-    let header = format!(
-        r#"{{"prompt_embeds":{{"dtype":"F32","shape":[77,1024],"data_offsets":[0,{first}]}},"ramp":{{"dtype":"F32","shape":[77],"data_offsets":[{first},{last}]}}}}"#
-    );
-    let mut prompt = (header.len() as u64).to_le_bytes().to_vec();
-    prompt.extend(header.bytes());
-    prompt.resize(prompt.len() + last, 0);
-    std::fs::write(folder.join("prompt.safetensors"), prompt).unwrap();
+    std::fs::write(folder.join("prompt.safetensors"), prompt_file(0.0, |_| 0.0)).unwrap();
     folder.to_owned()
 }
 

@@ -13,4 +13,6 @@ mod sampler;
 mod scheduler;
 
 pub use prompt::Prompt;
-pub use sampler::{Settings, TILE, six_normals, six_views};
+#[cfg(test)]
+pub(crate) use prompt::tests::file as prompt_file;
+pub use sampler::{Settings, TILE, six_views};

@@ -33,43 +33,18 @@ impl Default for Settings {
     }
 }
 
-/// Six views on grey, 640 × 960, of the subject in a square picture on grey (127).
+/// Six views on grey, 640 × 960, of the subject in a square picture on grey (127); or, led by such a tile, the normals of its
+/// views as [`crate::views::tile::normals`] reads them: the same sampler, with the ControlNet beside the UNet.
 ///
-/// `open` loads a graph when its turn comes; each is gone before the next but the two halves of the UNet, which take
-/// turns every step.
+/// `open` loads a graph when its turn comes; each is gone before the next but the two halves of the UNet and the ControlNet, which
+/// take turns every step.
 ///
 /// # Errors
 /// Environment for a graph that does not do what its contract says, `Cancelled`.
 pub fn six_views(
     picture: &RgbImage,
+    led_by: Option<&RgbImage>,
     prompt: &Prompt,
-    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<RgbImage> {
-    drawn(picture, prompt, None, open, settings, progress)
-}
-
-/// The normals of six views, as a tile that [`crate::views::tile::normals`] reads: the sampler again, the UNet led by the
-/// ControlNet that looks at the colours of `tile`.
-///
-/// # Errors
-/// As [`six_views`].
-pub fn six_normals(
-    tile: &RgbImage,
-    picture: &RgbImage,
-    prompt: &Prompt,
-    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
-    settings: &Settings,
-    progress: &dyn Progress,
-) -> Result<RgbImage> {
-    drawn(picture, prompt, Some(tile), open, settings, progress)
-}
-
-fn drawn(
-    picture: &RgbImage,
-    prompt: &Prompt,
-    control: Option<&RgbImage>,
     open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
     settings: &Settings,
     progress: &dyn Progress,
@@ -85,7 +60,7 @@ fn drawn(
     };
     progress.check()?;
     let latents = {
-        let control = match control {
+        let control = match led_by {
             Some(tile) => Some(Control { graph: open(Role::ControlNet)?, picture: condition::between_ones(tile)? }),
             None => None,
         };
@@ -237,7 +212,7 @@ mod tests {
         let settings = Settings { steps: 3, ..Settings::default() };
         let tile = |seed| {
             let settings = Settings { seed, ..settings };
-            six_views(&picture(), &prompt(), &mut open, &settings, &Silent).unwrap()
+            six_views(&picture(), None, &prompt(), &mut open, &settings, &Silent).unwrap()
         };
         let first = tile(7);
         assert_eq!(first.dimensions(), TILE);
@@ -353,13 +328,13 @@ mod tests {
         }
 
         let settings = Settings { steps: 2, ..Settings::default() };
-        let tile = six_views(&picture(), &prompt(), &mut { controlled }, &settings, &Silent).unwrap();
+        let tile = six_views(&picture(), None, &prompt(), &mut { controlled }, &settings, &Silent).unwrap();
         assert!(
-            tile == six_views(&picture(), &prompt(), &mut open, &settings, &Silent).unwrap(),
+            tile == six_views(&picture(), None, &prompt(), &mut open, &settings, &Silent).unwrap(),
             "zeros change nothing"
         );
         let normals = |tile: &RgbImage| {
-            six_normals(tile, &picture(), &prompt(), &mut { controlled }, &settings, &Silent).unwrap()
+            six_views(&picture(), Some(tile), &prompt(), &mut { controlled }, &settings, &Silent).unwrap()
         };
         let white = RgbImage::from_pixel(TILE.0, TILE.1, Rgb([255; 3]));
         assert!(normals(&tile) != tile && normals(&tile) != normals(&white) && normals(&white) == normals(&white));

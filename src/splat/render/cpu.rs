@@ -44,19 +44,19 @@ impl Drawer {
     /// α = min(0.99, o·e^−σ), contributions below 1/255 skipped, a pixel finished before its transmittance falls to 1e-4;
     /// low-pass of 0.3 pixel² (Kerbl et al. 2023; constants as in gsplat 1.6).
     pub fn render(&mut self, camera: &Camera, background: [f32; 3]) -> Frame {
-        self.draw(&View::new(camera), background)
+        self.draw(&View::new(camera), background, self.depth)
     }
 
     /// The normal of the surface at every pixel; see [`normals`].
     pub fn normals(&mut self, camera: &Camera) -> Vec<[f32; 3]> {
-        let frame = self.draw(&View { shown: Shown::Normals, ..View::new(camera) }, [0.0; 3]);
+        let frame = self.draw(&View { shown: Shown::Normals, ..View::new(camera) }, [0.0; 3], false);
         unit(&frame.color, &frame.alpha)
     }
 
-    fn draw(&mut self, view: &View, background: [f32; 3]) -> Frame {
+    fn draw(&mut self, view: &View, background: [f32; 3], depth: bool) -> Frame {
         self.raster.bins.build(&self.gaussians, view, 3);
-        self.raster.forward(view, self.depth.then_some(&mut self.depths));
-        self.raster.frame(view, background, self.depth.then_some(self.depths.as_slice()))
+        self.raster.forward(view, depth.then_some(&mut self.depths));
+        self.raster.frame(view, background, depth.then_some(self.depths.as_slice()))
     }
 }
 
