@@ -1,15 +1,20 @@
-// osgcheck MODEL [PICTURE.png [AZIMUTH ELEVATION [DISTANCE]]]
+// osgcheck MODEL [PICTURE.png [AZIMUTH ELEVATION [METRES [unlit]]]]
 //
 // Loads a model as any OpenSceneGraph simulator does, prints what it got, and draws it where a picture is asked for
-// (that needs a display: xvfb-run). AZIMUTH, ELEVATION: where the eye is, degrees; DISTANCE: 1 fills the picture.
+// (that needs a display: xvfb-run). AZIMUTH, ELEVATION: where the eye is, degrees; METRES: how far from the middle (0, the
+// default, gives a view of 40 degrees). The view is as wide as the model at any distance, so that each level of detail fills
+// the picture at its own. Where nothing is drawn the picture is transparent. `unlit` shows the textures as they are.
 // Exit code 1: not readable, no triangle, a texture without its image, or the reader reported an error.
 //
 // OpenSceneGraph also looks for textures in the working folder: run this from an empty one.
 //
 // g++ -O1 -o osgcheck osgcheck.cpp -losg -losgDB -losgViewer -losgUtil -losgGA -lOpenThreads
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
 #include <set>
 #include <string>
@@ -113,7 +118,8 @@ struct Survey : osg::NodeVisitor {
     }
 };
 
-bool draw(osg::Node* model, const osg::BoundingBox& box, const char* path, double azimuth, double elevation, double distance) {
+bool draw(osg::Node* model, const osg::BoundingBox& box, const char* path, double azimuth, double elevation, double distance,
+          bool unlit) {
     const int size = 512;
     osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
     traits->width = traits->height = size;
@@ -130,20 +136,26 @@ bool draw(osg::Node* model, const osg::BoundingBox& box, const char* path, doubl
     osg::Camera* camera = viewer.getCamera();
     camera->setGraphicsContext(context);
     camera->setViewport(0, 0, size, size);
-    camera->setClearColor(osg::Vec4(.55, .65, .8, 1));
+    camera->setClearColor(osg::Vec4(.55, .65, .8, 0));
     camera->setDrawBuffer(GL_FRONT);
     camera->setReadBuffer(GL_FRONT);
+    if (unlit) model->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     viewer.setSceneData(model);
     viewer.realize();
 
-    const double half_view = osg::DegreesToRadians(20.0), radius = box.radius();
+    const double radius = box.radius();
+    if (distance <= radius) distance = radius / sin(osg::DegreesToRadians(20.0));
+    const double view = 2 * osg::RadiansToDegrees(asin(radius / distance));
     const double a = osg::DegreesToRadians(azimuth), e = osg::DegreesToRadians(elevation);
     const osg::Vec3d centre = box.center(), towards(cos(e) * cos(a), cos(e) * sin(a), sin(e));
-    camera->setProjectionMatrixAsPerspective(40, 1, radius / 50, radius * 200 * distance);
+    camera->setProjectionMatrixAsPerspective(view, 1, std::max(distance - 1.1 * radius, radius / 50), distance + 1.1 * radius);
     camera->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-    const osg::Vec3d eye = centre + towards * (radius / sin(half_view) * distance);
+    const osg::Vec3d eye = centre + towards * distance;
     camera->setViewMatrixAsLookAt(eye, centre, osg::Vec3d(0, 0, 1));
+    std::cout << std::setprecision(12) << "  camera eye " << eye.x() << " " << eye.y() << " " << eye.z() << " centre " << centre.x()
+              << " " << centre.y() << " " << centre.z() << " view " << view << "\n";
     osg::ref_ptr<osg::Image> picture = new osg::Image;
+    picture->allocateImage(size, size, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     camera->attach(osg::Camera::COLOR_BUFFER, picture.get());
     // The first frames compile what the last one draws.
     for (int frame = 0; frame < 3; frame++) viewer.frame();
@@ -158,13 +170,15 @@ double argument(int count, char** values, int index, double otherwise) {
 
 int main(int count, char** values) {
     if (count < 2) {
-        std::cout << "usage: osgcheck MODEL [PICTURE.png [AZIMUTH ELEVATION [DISTANCE]]]\n";
+        std::cout << "usage: osgcheck MODEL [PICTURE.png [AZIMUTH ELEVATION [METRES [unlit]]]]\n";
         return 2;
     }
     osg::ref_ptr<Complaints> complaints = new Complaints;
     osg::setNotifyHandler(complaints);
     osg::setNotifyLevel(osg::INFO);
+    const auto start = std::chrono::steady_clock::now();
     osg::ref_ptr<osg::Node> model = osgDB::readRefNodeFile(values[1]);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     osg::setNotifyLevel(osg::WARN);
     if (!model) {
         std::cout << values[1] << ": NOT READABLE\nFAILED\n";
@@ -179,12 +193,13 @@ int main(int count, char** values) {
               << survey.without_uv << " LODs " << survey.lods << " transforms " << survey.transforms << " textures "
               << survey.textures.size() << " missingImages " << survey.missing_images << "\n  bbox min " << box.xMin()
               << " " << box.yMin() << " " << box.zMin() << " max " << box.xMax() << " " << box.yMax() << " "
-              << box.zMax() << "\n";
+              << box.zMax() << "\n  read in " << taken.count() << " s\n";
     for (const std::string& comment : model->getDescriptions()) std::cout << "  comment: " << comment << "\n";
     bool good = survey.triangles > 0 && survey.missing_images == 0 && complaints->errors == 0;
     if (count > 2) {
         const double azimuth = argument(count, values, 3, -50), elevation = argument(count, values, 4, 20);
-        good = draw(model, box, values[2], azimuth, elevation, argument(count, values, 5, 1)) && good;
+        const bool unlit = count > 6 && std::string(values[6]) == "unlit";
+        good = draw(model, box, values[2], azimuth, elevation, argument(count, values, 5, 0), unlit) && good;
     }
     std::cout << (good ? "OK" : "FAILED") << "\n";
     return good ? 0 : 1;
