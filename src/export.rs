@@ -20,7 +20,7 @@ use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, views};
 
 pub use model::{glb, tiles3d, usdz};
-pub use scene::{gaussians_ply, scene_ply, splat_glb, spz, unit_ply};
+pub use scene::{gaussians_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
 
 /// One level of detail in the subject frame, metres.
 #[derive(Clone, Debug)]

@@ -99,6 +99,46 @@ fn splats_become_every_format() {
     assert!(checked.contains("pass 12") && !checked.contains("FAIL"), "{checked}");
 }
 
+/// The ratified extension, told to readers before they fetch the content.
+#[test]
+fn splats_become_a_tile() {
+    let scene = from_splats().join("ball.ply");
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let place = ["--origin", "34.5523,-118.4712,740", "--format", "tiles3d", "--tiles", "splats"];
+    succeeds(&[&["export", text(&scene)], &place[..], &["-o", text(&out)]].concat());
+    let tileset = tiles3d::read(&std::fs::read(out.join("tiles3d/tileset.json")).unwrap()).unwrap();
+    assert_eq!(tileset.gltf_extensions[0], "KHR_gaussian_splatting");
+    assert_eq!((tileset.root.geometric_error, tileset.root.children.len()), (0.0, 0));
+    let content = tileset.root.content.unwrap();
+    let splats = glb::read(&std::fs::read(out.join("tiles3d").join(content)).unwrap()).unwrap().splats.unwrap();
+    assert_eq!(splats.positions.len(), 4000);
+    // Y up → Z up: all of the ball, with what its splats reach beyond their centres, lies in the volume.
+    let volume = &tileset.root.volume;
+    for [x, y, z] in splats.positions {
+        for (axis, at) in [x, -z, y].into_iter().enumerate() {
+            let (middle, half) = (volume.center[axis], volume.half_axes[axis][axis]);
+            assert!((f64::from(at) - middle).abs() + 0.2 < half, "{at} on axis {axis} of {volume:?}");
+        }
+    }
+    succeeds(&["audit", "verify", text(&out)]);
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/truth/play_house/mesh.glb");
+    let refused = orb(&[&["export", text(&model)], &place[..], &["-o", text(&dir.path().join("no"))]].concat());
+    assert!(said(&refused).contains("without Gaussians"), "{}", said(&refused));
+}
+
+#[test]
+fn ground_needs_a_store_to_lie_in() {
+    let scene = from_splats().join("ball.ply");
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("no");
+    let args = ["export", text(&scene), "--origin", "1,2,3", "--format", "glb", "--ground", "-o", text(&out)];
+    let refused = orb(&args);
+    assert!(refused.status.code() == Some(2) && said(&refused).contains("--format cdb"), "{}", said(&refused));
+    assert!(!orb(&[&args[..6], &["cdb", "--ground-image", "x.tif", "-o", text(&out)]].concat()).status.success());
+    assert!(!out.exists());
+}
+
 #[test]
 fn a_marking_changed_inside_is_found_in_every_format() {
     let out = from_splats().join("out");

@@ -5,7 +5,9 @@
 pub mod asset;
 pub mod cdb;
 pub mod collada;
+pub mod geotiff;
 pub mod glb;
+pub mod jp2;
 pub mod kmz;
 pub mod label;
 pub mod mesh;

@@ -15,7 +15,7 @@ use orb_formats::cdb::{self, Memory};
 use orb_formats::openflight::{self, Level, Model};
 use orb_formats::spz::{self, Axes, Version};
 use orb_formats::tiles3d::{self, Tile, Tileset, Volume};
-use orb_formats::{Asset, Image, Label, Mesh, Place, Splats, glb, ply, sgi, usdz};
+use orb_formats::{Asset, Image, Label, Mesh, Place, Splats, geotiff, glb, jp2, ply, sgi, usdz};
 
 /// Counts the bytes that this thread holds.
 struct Counting;
@@ -314,6 +314,38 @@ fn sgi_reader() {
     attack("sgi", seeds, |bytes| drop(sgi::read(bytes)));
 }
 
+#[test]
+fn attributes_reader() {
+    let attributes = openflight::attributes::Attributes {
+        width: 8,
+        height: 4,
+        alpha: false,
+        clamp: true,
+        comment: "CLASSIFICATION: CUI".into(),
+    };
+    let seeds = vec![openflight::attributes::write(&attributes).unwrap()];
+    attack("attr", seeds, |bytes| drop(openflight::attributes::read(bytes)));
+}
+
+const GRID: geotiff::Grid = geotiff::Grid { west: -118.5, north: 34.5, step_x: 0.5, step_y: 0.25, posts: true };
+
+#[test]
+fn geotiff_reader() {
+    let heights: Vec<f32> = (0..64).map(|i| i as f32).collect();
+    let seeds = vec![geotiff::write(8, 8, &heights, &GRID, "CUI").unwrap(), geotiff::degenerate(&GRID)];
+    attack("geotiff", seeds, |bytes| {
+        drop(geotiff::read(bytes));
+        drop(geotiff::grid(bytes));
+    });
+}
+
+#[test]
+fn jp2_header() {
+    let image = Image { width: 8, height: 4, channels: 3, pixels: (0..96).collect() };
+    let seeds = vec![jp2::write(&image, Some(&GRID), "CUI").unwrap(), jp2::write(&image, None, "").unwrap()];
+    attack("jp2", seeds, |bytes| drop(jp2::header(bytes)));
+}
+
 /// Every file of a store in turn: shapes, tables, XML, archives and the models in them.
 #[test]
 fn cdb_check() {
@@ -347,6 +379,17 @@ fn cdb_check() {
         let added = cdb::add_model(&store, &cdb::Model { kind, ..gs.clone() }).unwrap();
         store.write(added.files);
     }
+    let ground = cdb::Ground {
+        latitude: gs.latitude,
+        longitude: gs.longitude,
+        height: gs.height,
+        radius: 5000.0,
+        terrain: None,
+        colors: None,
+        marking: &gs.marking,
+    };
+    let small = cdb::add_ground(&store, ground).unwrap().files.into_iter().filter(|f| f.bytes.len() < 10_000);
+    store.write(small.filter(|f| f.path.contains("/LC/")));
     assert_eq!(cdb::check(&store).unwrap(), []);
     let paths: Vec<String> = store.files.keys().cloned().collect();
     // The first bytes choose the file, the rest is its damaged content.

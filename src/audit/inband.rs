@@ -13,6 +13,8 @@
 //! | USDZ | the root layer's `customLayerData["orb:marking"]` |
 //! | 3D Tiles | `CLASSIFICATION: …` in tileset.json's `asset.extras` |
 //! | SPZ | the comment of the gzip header, or an extension record (version 4) |
+//! | GeoTIFF | the image's description |
+//! | JPEG 2000 | `CLASSIFICATION: …` in an XML box |
 //! | `orb-marking.json` | its `banner` |
 //! | JPEG, TIFF (read only) | `CLASSIFICATION: …` in comments, EXIF and XMP; SecurityClassification (TIFF/EP, 0x9212) |
 //!
@@ -57,6 +59,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "glb" => (lines_in(glb_json(bytes)), true),
         "usdz" => (lines_in(orb_formats::usdz::marking(bytes).unwrap_or_default().as_bytes()), true),
         "spz" => (lines_in(orb_formats::spz::comment(bytes).as_bytes()), true),
+        "jp2" => (jp2(bytes), false),
         "json" if file == "tileset.json" => (lines_in(bytes), true),
         "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
         _ => return Carried::NoCarrier,
@@ -126,6 +129,12 @@ fn sidecar(bytes: &[u8]) -> Vec<String> {
         },
         _ => Vec::new(),
     }
+}
+
+/// The XML boxes before the picture.
+fn jp2(bytes: &[u8]) -> Vec<String> {
+    let texts = orb_formats::jp2::header(bytes).map(|h| h.texts).unwrap_or_default();
+    texts.iter().flat_map(|t| lines_in(t.as_bytes())).collect()
 }
 
 /// Comment lines of a PLY header.

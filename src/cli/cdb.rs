@@ -54,7 +54,11 @@ fn plain_text(report: &cdb::Report) -> String {
             Verdict::NotApplicable(why) => ("n/a ", format!(" ({why})")),
             Verdict::Fail(findings) => ("FAIL", format!(" ({} findings)", findings.len())),
         };
-        out += &format!("{word} {:2} {} [{}]{detail}\n", rule.number, rule.title, rule.source);
+        let tests = match rule.abstract_tests {
+            "" => String::new(),
+            numbers => format!("; abstract tests {numbers}"),
+        };
+        out += &format!("{word} {:2} {} [{}{tests}]{detail}\n", rule.number, rule.title, rule.source);
         if let Verdict::Fail(findings) = &rule.verdict {
             for f in findings {
                 out += &format!("        {}: {}\n", f.path, f.text);
@@ -76,7 +80,7 @@ fn json_text(report: &cdb::Report) -> String {
                     ("fail", None, all.iter().map(|f| json!({"path": f.path, "text": f.text})).collect())
                 }
             };
-            json!({"rule": r.number, "title": r.title, "source": r.source, "verdict": verdict, "why": why,
+            json!({"rule": r.number, "title": r.title, "source": r.source, "abstract_tests": r.abstract_tests, "verdict": verdict, "why": why,
                    "findings": findings})
         })
         .collect();

@@ -105,7 +105,14 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let name = args.input.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let stem = safe_stem(&args.input);
     let own = marking::carried(&name, &bytes)?;
-    let handling = args.publish.marking.decide(std::slice::from_ref(&own), &time::now()?.utc())?;
+    let ground = args.write.ground.open(args.format.contains(&Format::Cdb), None)?;
+    let mut carried = vec![own.clone()];
+    let mut inputs = Vec::new();
+    if let Some(files) = &ground {
+        carried.extend(files.carried()?);
+        inputs.clone_from(&files.inputs);
+    }
+    let handling = args.publish.marking.decide(&carried, &time::now()?.utc())?;
     let product = handling.marking.clone();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(&stem));
     let mut run = SealedRun::begin("orb export", &output, handling, &args.publish)?;
@@ -116,7 +123,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
     let mut imported = import::read(&name, &bytes, args.axes.map(Into::into))?.scaled(args.scale);
     let placement = place(&imported, origin, args.heading)?;
     let recentred = !args.keep_origin && !imported.is_orbs;
-    let has_levels = args.format.iter().any(|f| f.has_levels());
+    let has_levels = args.format.iter().any(|f| f.has_levels(args.write.tiles));
     if has_levels || (imported.levels.is_empty() && args.format.contains(&Format::Usdz)) {
         imported = imported.with_levels(Format::levels_made(&args.format, args.lods.into()), &bar)?;
     }
@@ -142,13 +149,15 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         catalogue: &catalogue,
         spz: args.write.spz_version.into(),
         flt_geometry: args.write.flt_geometry.into(),
+        tiles: args.write.tiles,
     };
-    let model = format::publish(&args.format, &content, target, &mut run.publication)?;
+    let model = format::publish(&args.format, &content, target, ground, &mut run.publication)?;
     let role = if imported.gaussians.is_some() { "scene" } else { "model" };
+    inputs.insert(0, record::input(&name, &bytes, media_type(&bytes), role, own));
     let published = run.seal(Evidence {
         event_type: "scene.export",
         time: reading,
-        inputs: vec![record::input(&name, &bytes, media_type(&bytes), role, own)],
+        inputs,
         models: Vec::new(),
         params: params(args, &placement, &catalogue, recentred),
     })?;

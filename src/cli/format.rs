@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use orb_formats::{File, cdb, openflight, spz};
 
 use super::cdb::Folder;
+use super::ground::{GroundArgs, GroundFiles};
 use crate::audit::statement::Param;
 use crate::audit::{Publication, StoreLock, lock_store, merge_into_store};
 use crate::export::{self, Catalogue, Labels, PlacedLevel};
@@ -45,8 +46,9 @@ impl Format {
     }
 
     /// Formats that hold a surface in levels of detail.
-    pub fn has_levels(self) -> bool {
-        matches!(self, Format::Cdb | Format::Flt | Format::Glb | Format::Tiles3d)
+    pub fn has_levels(self, tiles: TileContent) -> bool {
+        let tiled = self == Format::Tiles3d && tiles == TileContent::Mesh;
+        tiled || matches!(self, Format::Cdb | Format::Flt | Format::Glb)
     }
 
     /// The names of a list, for the record.
@@ -98,6 +100,16 @@ impl From<FltGeometry> for openflight::Geometry {
     }
 }
 
+/// What is drawn where 3D Tiles are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum TileContent {
+    /// The surface, in levels of detail.
+    #[default]
+    Mesh,
+    /// The Gaussians, in one tile (KHR_gaussian_splatting).
+    Splats,
+}
+
 /// Where a CDB store keeps the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum StoreKind {
@@ -146,6 +158,13 @@ pub struct WriteArgs {
     /// surface inwards, paint/metal-steel. Default: assumed from the feature code.
     #[arg(long, value_name = "MATERIAL")]
     pub material: Option<String>,
+
+    #[command(flatten)]
+    pub ground: GroundArgs,
+
+    /// What the tiles of 3D Tiles hold.
+    #[arg(long, value_enum, default_value_t)]
+    pub tiles: TileContent,
 }
 
 impl WriteArgs {
@@ -200,6 +219,9 @@ impl WriteArgs {
             ("material".into(), Param::Text(catalogue.material.summary())),
             ("material_source".into(), Param::Text(catalogue.material.name.to_lowercase())),
         ];
+        if self.ground.ground {
+            all.push(("ground".into(), Param::Bool(true)));
+        }
         let kind = self.kind.to_possible_value().map(|v| Param::Text(v.get_name().into()));
         all.extend(kind.map(|k| ("store_kind".into(), k)));
         if let cdb::Kind::Moving(entity) = &catalogue.kind {
@@ -221,6 +243,7 @@ pub struct Content<'a> {
     pub catalogue: &'a Catalogue,
     pub spz: spz::Version,
     pub flt_geometry: openflight::Geometry,
+    pub tiles: TileContent,
 }
 
 /// Writes every format that was asked for, each once. Returns the model's name in the CDB store, if one was written.
@@ -231,6 +254,7 @@ pub fn publish(
     formats: &[Format],
     content: &Content,
     mut target: Target,
+    mut ground: Option<GroundFiles>,
     publication: &mut Publication,
 ) -> Result<Option<String>> {
     let mut model_name = None;
@@ -250,12 +274,16 @@ pub fn publish(
         let (role, files): (&str, Vec<File>) = match format {
             Format::Cdb => {
                 let model = export::cdb_model(content.levels, placement, labels, catalogue);
-                model_name = Some(write_cdb(&model, &labels.stem, std::mem::take(&mut target), publication)?);
+                model_name =
+                    Some(write_cdb(&model, &labels.stem, std::mem::take(&mut target), ground.take(), publication)?);
                 continue;
             }
             Format::Flt => ("model", export::flt(levels, content.flt_geometry, placement, labels)?),
             Format::Glb => ("model", export::glb(levels, placement, labels)?),
             Format::Usdz => ("model", vec![export::usdz(levels, placement, labels)?]),
+            Format::Tiles3d if content.tiles == TileContent::Splats => {
+                ("gaussians", export::splat_tiles3d(gaussians()?, placement, labels)?)
+            }
             Format::Tiles3d => ("model", export::tiles3d(levels, placement, labels)?),
             Format::Kmz => {
                 return Err(Error::usage("--format")
@@ -355,20 +383,35 @@ impl cdb::Store for OpenStore {
 }
 
 /// Into the published folder, or into the store that was named. Returns the model's name there.
-fn write_cdb(model: &cdb::Model, stem: &str, target: Target, publication: &mut Publication) -> Result<String> {
+fn write_cdb(
+    model: &cdb::Model,
+    stem: &str,
+    target: Target,
+    ground: Option<GroundFiles>,
+    publication: &mut Publication,
+) -> Result<String> {
+    let with_ground = |store: &dyn cdb::Store, added: Result<cdb::Added, orb_formats::Error>| {
+        let mut added = added.map_err(export::format_error)?;
+        if let Some(mut ground) = ground {
+            let under = ground.under(store, model)?;
+            under.notes.iter().for_each(|n| eprintln!("orb: {n}"));
+            added.files.extend(under.files);
+            added.files.sort_by(|a, b| a.path.cmp(&b.path));
+        }
+        Result::Ok(added)
+    };
     let added = match target {
         Target::Into(store) => {
-            let added = cdb::add_model(&store, model).map_err(export::format_error)?;
+            let added = with_ground(&store, cdb::add_model(&store, model))?;
             publication.merge(merge_into_store(store.lock, &added.files, &added.folders)?)?;
             return Ok(added.model_name);
         }
-        Target::New => cdb::add_model(&cdb::Empty, model),
+        Target::New => with_ground(&cdb::Empty, cdb::add_model(&cdb::Empty, model))?,
         Target::VersionOf(old) => {
             let chain = cdb::Versions::new(old.folders.iter().map(|f| f as &dyn cdb::Store).collect());
-            cdb::add_version(&chain, &old.name, model)
+            with_ground(&chain, cdb::add_version(&chain, &old.name, model))?
         }
     };
-    let added = added.map_err(export::format_error)?;
     if added.already_present {
         return Err(Error::usage("--cdb-version-of")
             .expected("a model that the store does not hold yet")

@@ -264,8 +264,19 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     if !by_control {
         plan.wanted.check(front.exif())?;
     }
+    // The terrain that the model stands on lies under it in the store too.
+    let mut ground_args = args.write.ground.clone();
+    let mut datum = None;
+    if ground_args.ground && ground_args.ground_dem.is_none() {
+        ground_args.ground_dem.clone_from(&args.place.dem);
+        datum = args.place.dem_datum.map(options::DemDatum::plain);
+    }
+    let ground = ground_args.open(args.format.contains(&Format::Cdb), datum)?;
+    let ground_carried = ground.as_ref().map_or(Ok(Vec::new()), |g| g.carried())?;
+    let ground_inputs = ground.as_ref().map_or(Vec::new(), |g| g.inputs.clone());
     let inputs =
-        [front.carried().to_vec(), plan.wanted.terrain_marking()?, networks::carried(&args.networks)?].concat();
+        [front.carried().to_vec(), plan.wanted.terrain_marking()?, networks::carried(&args.networks)?, ground_carried]
+            .concat();
     let handling = args.publish.marking.decide(&inputs, &time::now()?.utc())?;
     let product = handling.marking.clone();
 
@@ -341,11 +352,12 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         catalogue: &plan.catalogue,
         spz: args.write.spz_version.into(),
         flt_geometry: args.write.flt_geometry.into(),
+        tiles: args.write.tiles,
     };
     // The sidecars write the scene's place into the KMZ; the PLY is there.
     let formats: Vec<Format> =
         args.format.iter().copied().filter(|f| !matches!(f, Format::Kmz | Format::Ply)).collect();
-    let store_model = format::publish(&formats, &content, target, &mut run.publication)?;
+    let store_model = format::publish(&formats, &content, target, ground, &mut run.publication)?;
     bar.check()?;
     let preview = export::preview_png(&photo.pixels, &done, &product)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
@@ -355,7 +367,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let published = run.seal(Evidence {
         event_type: "scene.generate",
         time: reading,
-        inputs: [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone()].concat(),
+        inputs: [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone(), ground_inputs].concat(),
         models: recorded::models(&done.sources, &done.report.device, front.colmap()),
         params: {
             let mut all = recorded::params(args, &settings, &done, &placed, &plan.catalogue, line);

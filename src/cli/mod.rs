@@ -10,6 +10,7 @@ pub mod doctor;
 pub mod export;
 mod format;
 pub mod geo;
+mod ground;
 pub mod key;
 mod marking;
 pub mod models;

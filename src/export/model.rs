@@ -72,7 +72,7 @@ fn around_all(levels: &[PlacedLevel], count: usize) -> Result<Volume> {
 }
 
 /// Subject frame → earth-centred, earth-fixed: the columns of the matrix.
-fn to_earth(placement: &Placement) -> [f64; 16] {
+pub(super) fn to_earth(placement: &Placement) -> [f64; 16] {
     let axes = placement.origin.axes();
     let column = |direction: [f64; 3]| {
         let Enu { east, north, up } = placement.to_enu(direction);

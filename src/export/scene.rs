@@ -1,8 +1,10 @@
 //! Gaussians to files: PLY, SPZ, glTF.
 
 use glam::{Mat3, Vec3};
+use orb_formats::tiles3d::{self, Tile, Tileset, Volume};
 use orb_formats::{Asset, File, Splats, glb, ply, spz};
 
+use super::model::to_earth;
 use super::{Labels, ToMetres, format_error, label};
 use crate::Result;
 use crate::audit::Marking;
@@ -75,6 +77,34 @@ pub fn splat_glb(g: &Gaussians, placement: &Placement, labels: &Labels) -> Resul
     };
     let bytes = glb::write(&asset).map_err(format_error)?;
     Ok(File { path: format!("{}_splats.glb", labels.stem), bytes, media_type: "model/gltf-binary" })
+}
+
+/// `tiles3d/tileset.json` with one tile of Gaussians at their place on the Earth.
+pub fn splat_tiles3d(g: &Gaussians, placement: &Placement, labels: &Labels) -> Result<Vec<File>> {
+    let mut content = splat_glb(g, placement, labels)?;
+    content.path = "tiles3d/splats.glb".into();
+    // Three standard deviations are drawn.
+    let reach = |i: usize| f64::from(3.0 * g.log_scales[i].max_element().exp());
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for (i, p) in g.positions.iter().enumerate() {
+        for (axis, at) in p.as_dvec3().to_array().into_iter().enumerate() {
+            low[axis] = low[axis].min(at - reach(i));
+            high[axis] = high[axis].max(at + reach(i));
+        }
+    }
+    let size = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+    let root = Tile {
+        transform: Some(to_earth(placement)),
+        volume: Volume::around(low, high),
+        geometric_error: 0.0,
+        content: Some("splats.glb".into()),
+        children: Vec::new(),
+    };
+    let gltf_extensions = vec!["KHR_gaussian_splatting".into(), "KHR_xmp_json_ld".into()];
+    let tileset = Tileset { geometric_error: size, root, gltf_extensions, label: label(placement, labels) };
+    let bytes = tiles3d::write(&tileset).map_err(format_error)?;
+    let tileset = File { path: "tiles3d/tileset.json".into(), bytes, media_type: "application/json" };
+    Ok(vec![tileset, content])
 }
 
 /// Subject frame (Z up) → Y up: (x, y, z) → (x, z, −y).

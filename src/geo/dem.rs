@@ -1,6 +1,6 @@
 //! Terrain from a GeoTIFF (OGC 19-008r4): heights at points, read chunk by chunk.
 
-mod keys;
+pub(super) mod keys;
 
 use std::collections::HashMap;
 use std::io::{Read, Seek};
@@ -105,6 +105,13 @@ impl<R: Read + Seek> Dem<R> {
             sum += share * value;
         }
         to_ellipsoid((latitude, longitude), sum * self.keys.metres_per_unit, SIGMA, self.datum, None)
+    }
+
+    /// Whether a point lies on the file; it may have a hole there all the same.
+    pub fn covers(&self, latitude: f64, longitude: f64) -> bool {
+        let (w, h) = (f64::from(self.size.0), f64::from(self.size.1));
+        let inside = |(x, y)| (-0.5..=w - 0.5).contains(&x) && (-0.5..=h - 0.5).contains(&y);
+        self.keys.pixel(latitude, longitude).is_some_and(inside)
     }
 
     /// Mean or lowest ground over points of a footprint, and its spread.

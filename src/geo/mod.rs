@@ -9,6 +9,7 @@ pub mod footprint;
 pub mod geoid;
 pub mod magnetic;
 pub mod mgrs;
+pub mod ortho;
 mod placement;
 #[cfg(feature = "proj")]
 mod proj;

@@ -12,6 +12,8 @@ pub struct Dataset {
     pub name: &'static str,
 }
 
+pub const ELEVATION: Dataset = Dataset { code: 1, name: "001_Elevation" };
+pub const IMAGERY: Dataset = Dataset { code: 4, name: "004_Imagery" };
 pub const GS_FEATURE: Dataset = Dataset { code: 100, name: "100_GSFeature" };
 pub const GT_FEATURE: Dataset = Dataset { code: 101, name: "101_GTFeature" };
 pub const VECTOR_MATERIAL: Dataset = Dataset { code: 200, name: "200_VectorMaterial" };
@@ -20,8 +22,16 @@ pub const GS_MODEL_TEXTURE: Dataset = Dataset { code: 301, name: "301_GSModelTex
 pub const GS_MODEL_DESCRIPTOR: Dataset = Dataset { code: 303, name: "303_GSModelDescriptor" };
 
 /// The datasets that this crate reads and writes.
-pub const DATASETS: [Dataset; 6] =
-    [GS_FEATURE, GT_FEATURE, VECTOR_MATERIAL, GS_MODEL_GEOMETRY, GS_MODEL_TEXTURE, GS_MODEL_DESCRIPTOR];
+pub const DATASETS: [Dataset; 8] = [
+    ELEVATION,
+    IMAGERY,
+    GS_FEATURE,
+    GT_FEATURE,
+    VECTOR_MATERIAL,
+    GS_MODEL_GEOMETRY,
+    GS_MODEL_TEXTURE,
+    GS_MODEL_DESCRIPTOR,
+];
 
 /// Longest MODL: CNAM joins FACC (5), FSC (3) and MODL in 32 characters.
 pub const MAX_MODEL_NAME: usize = 24;

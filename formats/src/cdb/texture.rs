@@ -106,14 +106,26 @@ fn texel_size(mesh: &Mesh, image: &Image) -> Result<f64> {
 
 /// Halves the image until 1 × 1, each texel the mean of two by two, in linear light; alpha is averaged as it is.
 fn mips(image: &Image) -> Vec<Image> {
-    let linear: Vec<f32> = (0..=255u8).map(|v| to_linear(f32::from(v) / 255.0)).collect();
-    // Halfway between neighbours in sRGB: the byte of a linear value is the number of limits below it.
-    let limits: Vec<f32> = (0..255u8).map(|v| to_linear((f32::from(v) + 0.5) / 255.0)).collect();
+    let (linear, limits) = light();
     let mut chain = vec![image.clone()];
     while let Some(last) = chain.last().filter(|m| m.width > 1 || m.height > 1) {
         chain.push(halved(last, &linear, &limits));
     }
     chain
+}
+
+/// An image of half the sides, each texel the mean of two by two in linear light.
+pub fn half(image: &Image) -> Image {
+    let (linear, limits) = light();
+    halved(image, &linear, &limits)
+}
+
+/// Linear light of every byte, and the limits between bytes: halfway between neighbours in sRGB, so that the byte of a
+/// linear value is the number of limits below it.
+fn light() -> (Vec<f32>, Vec<f32>) {
+    let linear = (0..=255u8).map(|v| to_linear(f32::from(v) / 255.0)).collect();
+    let limits = (0..255u8).map(|v| to_linear((f32::from(v) + 0.5) / 255.0)).collect();
+    (linear, limits)
 }
 
 fn halved(image: &Image, linear: &[f32], limits: &[f32]) -> Image {

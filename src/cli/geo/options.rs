@@ -57,6 +57,15 @@ pub enum DemDatum {
     Msl,
 }
 
+impl DemDatum {
+    pub fn plain(self) -> AltDatum {
+        match self {
+            DemDatum::Ellipsoid => AltDatum::Ellipsoid,
+            DemDatum::Msl => AltDatum::Msl,
+        }
+    }
+}
+
 /// Where and which way.
 #[derive(Args, Clone, Debug)]
 pub struct PlaceArgs {
@@ -211,10 +220,7 @@ fn check_height(o: &Written, datum: Option<AltDatum>, place: &PlaceArgs) -> Resu
 fn terrain(place: &PlaceArgs) -> Result<Option<Terrain>> {
     let Some(path) = &place.dem else { return Ok(None) };
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let datum = place.dem_datum.map(|d| match d {
-        DemDatum::Ellipsoid => AltDatum::Ellipsoid,
-        DemDatum::Msl => AltDatum::Msl,
-    });
+    let datum = place.dem_datum.map(DemDatum::plain);
     let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the terrain's path."))?;
     let input = record::input(&name, &bytes, "image/tiff", "terrain", marking::carried(&name, &bytes)?);
     drop(bytes);

@@ -17,7 +17,7 @@ enum System {
     Grid { zone: u8, north: bool },
 }
 
-pub(super) struct Keys {
+pub(in crate::geo) struct Keys {
     system: System,
     /// Pixel corner → model: x = m[0] c + m[1] r + m[2], y = m[3] c + m[4] r + m[5].
     to_model: [f64; 6],
@@ -31,7 +31,7 @@ pub(super) struct Keys {
 type Fault = (String, String);
 
 impl Keys {
-    pub(super) fn read<R: Read + Seek>(decoder: &mut Decoder<R>) -> Result<Keys, Fault> {
+    pub(in crate::geo) fn read<R: Read + Seek>(decoder: &mut Decoder<R>) -> Result<Keys, Fault> {
         let fault = |expected: &str, found: String| (expected.to_owned(), found);
         let directory = decoder
             .get_tag_u16_vec(Tag::GeoKeyDirectoryTag)
@@ -78,7 +78,7 @@ impl Keys {
     }
 
     /// Column and row of a point, whole numbers at the posts; `None` where the system has no such point.
-    pub(super) fn pixel(&self, latitude: f64, longitude: f64) -> Option<(f64, f64)> {
+    pub(in crate::geo) fn pixel(&self, latitude: f64, longitude: f64) -> Option<(f64, f64)> {
         let [a, b, c, d, e, f] = self.to_model;
         let invert = |x: f64, y: f64| {
             let (x, y, determinant) = (x - c, y - f, a * e - b * d);

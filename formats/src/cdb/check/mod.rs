@@ -6,6 +6,7 @@
 mod features;
 mod flt;
 mod geometry;
+mod ground;
 mod library;
 mod metadata;
 mod paths;
@@ -22,7 +23,7 @@ use crate::Result;
 /// powers of two, SGI; 3 the feature pyramid is complete, tiles within their point limit; 4 MLOD agrees with the tile;
 /// 5 significant sizes and vertex counts agree with the LOD; 6 OpenFlight structure, header, zone and bounding box; 7 origin and
 /// ground; 8 feature sizes match the geometry, 0 ≤ AO1 < 360; 9 material indices resolve; 10 archives; 11 names and
-/// folders; 12 XML files.
+/// folders; 12 XML files; 13 terrain and imagery.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Finding {
     pub rule: u8,
@@ -61,6 +62,7 @@ pub fn check(store: &dyn ListableStore) -> Result<Vec<Finding>> {
     let models = geometry::check(store, &files, &mut findings)?;
     let library = library::check(store, &paths, &mut findings)?;
     features::check(store, &files, &models, &library, &mut findings)?;
+    ground::check(store, &files, &mut findings)?;
     let mut found = findings.0;
     found.sort_by(|a, b| (&a.path, a.rule, &a.text).cmp(&(&b.path, b.rule, &b.text)));
     found.dedup();

@@ -1,0 +1,265 @@
+//! The ground under a model: terrain and imagery tiles, flat where the model stands.
+//!
+//! Source: OGC CDB 1.x Volume 1, "Tiled raster datasets": elevation (dataset 001) is sampled at posts on the tile's west
+//! and south edges (Requirements 85, 86), imagery (004) at the centres of its pixels (Requirement 87); a tile has
+//! 1024² samples, 2^(LOD + 10) squared below LOD 0, and is never partly filled; every coarser tile to LOD −10 exists.
+//!
+//! Heights are metres above the ellipsoid. Around the flat part the ground goes over, over twice its radius, into what the
+//! store holds, or else what the caller knows, or else stays as high as the model.
+
+mod grid;
+mod imagery;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::geocell::{DEGREE, LODS, Tile};
+use super::names::{self, ELEVATION, IMAGERY};
+use super::store::{self, Store};
+use crate::geotiff::{self, Samples};
+use crate::{Error, File, Result};
+pub use grid::{elevation_grid, imagery_grid, side};
+
+/// Primary terrain elevation, and yearly visible imagery.
+pub const SELECTOR: (u16, u16) = (1, 1);
+/// Finest level of ground: posts every 2.7 cm.
+const FINEST: i8 = 12;
+/// Posts across the flat part's radius, at least.
+const POSTS: f64 = 4.0;
+/// Where the ground is as it was again, in radii of the flat part.
+const BLEND: f64 = 3.0;
+
+/// What is known of the Earth at a latitude and longitude; `None` where it is not.
+pub type Known<'a, T> = &'a mut dyn FnMut(f64, f64) -> Option<T>;
+
+/// The ground that a model asks for.
+pub struct Ground<'a> {
+    /// The model's place, WGS 84 degrees, and its height, metres above the ellipsoid.
+    pub latitude: f64,
+    pub longitude: f64,
+    pub height: f64,
+    /// Metres about the place that are flat.
+    pub radius: f64,
+    /// Heights above the ellipsoid, which win over what the store holds.
+    pub terrain: Option<Known<'a, f64>>,
+    /// Colours of sRGB.
+    pub colors: Option<Known<'a, [u8; 3]>>,
+    pub marking: &'a str,
+}
+
+/// What adding ground comes to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AddedGround {
+    /// New or replaced files, paths relative to the CDB root, sorted.
+    pub files: Vec<File>,
+    /// The finest level.
+    pub lod: i8,
+    /// What the user should know, as sentences.
+    pub notes: Vec<String>,
+}
+
+/// Makes the tiles of a place, from the level whose posts show the flat part up to LOD −10.
+///
+/// Imagery of a geocell that has some is left as it is.
+///
+/// # Errors
+/// [`Error::Unsupported`] for numbers that make no sense, and for elevation of the store that cannot be read.
+pub fn add_ground(store: &dyn Store, mut ground: Ground) -> Result<AddedGround> {
+    let refuse = |what: String| Err(Error::Unsupported { format: "CDB ground", what });
+    if !ground.height.is_finite() || ground.height.abs() > 100_000.0 {
+        return refuse(format!("a height of {} m", ground.height));
+    }
+    if !(0.01..=20_000.0).contains(&ground.radius) {
+        return refuse(format!("a flat part of {} m; expected 1 cm to 20 km", ground.radius));
+    }
+    let lod = finest(ground.radius);
+    let tiles = touched(&ground, lod)?;
+    let mut notes = Vec::new();
+    let mut files = elevation(store, &mut ground, &tiles, lod, &mut notes)?;
+    let coarsest = |tile: Tile| Tile { lod: *LODS.start(), up: 0, right: 0, ..tile };
+    let mut held = None;
+    for tile in tiles.iter().map(|t| coarsest(*t)).collect::<BTreeSet<_>>() {
+        let path = names::path(tile, IMAGERY, SELECTOR, "jp2");
+        if store::exists(store, &path)? {
+            held = Some(path);
+        }
+    }
+    match held {
+        Some(path) => notes.push(format!("The store has imagery here ({path}): it is left as it is.")),
+        None => files.extend(imagery::tiles(&mut ground, &tiles, lod)?),
+    }
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(AddedGround { files, lod, notes })
+}
+
+/// The first level with enough posts across the flat part's radius.
+fn finest(radius: f64) -> i8 {
+    let spacing = |lod: i8| DEGREE / 1024.0 / 2f64.powi(lod.into());
+    (0..FINEST).find(|&lod| spacing(lod) * POSTS <= radius).unwrap_or(FINEST)
+}
+
+/// The tiles of a level that the changed ground reaches into.
+fn touched(ground: &Ground, lod: i8) -> Result<BTreeSet<Tile>> {
+    let north = BLEND * ground.radius / DEGREE;
+    let east = north / ground.latitude.to_radians().cos().max(1e-3);
+    let mut tiles = BTreeSet::new();
+    for (a, b) in [(0.0, 0.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+        let latitude = (ground.latitude + a * north).clamp(-90.0, 90.0);
+        let longitude = ground.longitude + b * east;
+        let wrapped =
+            if (-180.0..=180.0).contains(&longitude) { longitude } else { longitude - 360.0 * longitude.signum() };
+        tiles.insert(Tile::containing(latitude, wrapped, lod)?);
+    }
+    Ok(tiles)
+}
+
+/// Tiles of a level and all above them, coarsest first.
+fn pyramid(finest: &BTreeSet<Tile>) -> Vec<Tile> {
+    let mut all = finest.clone();
+    for tile in finest {
+        all.extend(std::iter::successors(tile.parent(), |t| t.parent()));
+    }
+    let mut all: Vec<Tile> = all.into_iter().collect();
+    all.sort_by_key(|t| t.lod);
+    all
+}
+
+fn elevation(
+    store: &dyn Store,
+    ground: &mut Ground,
+    finest: &BTreeSet<Tile>,
+    lod: i8,
+    notes: &mut Vec<String>,
+) -> Result<Vec<File>> {
+    let order = pyramid(finest);
+    let mut rasters: BTreeMap<Tile, Vec<f32>> = BTreeMap::new();
+    let mut held = false;
+    for &tile in &order {
+        let stored = stored(store, tile)?;
+        held |= stored.is_some();
+        let parent = tile.parent().and_then(|p| rasters.get(&p));
+        let side = side(tile.lod) as usize;
+        let mut heights = match (stored, parent) {
+            (Some(heights), _) => heights,
+            (None, Some(parent)) => finer(parent, tile),
+            (None, None) => vec![ground.height as f32; side * side],
+        };
+        if let Some(known) = &mut ground.terrain {
+            let grid = elevation_grid(tile);
+            for (i, height) in heights.iter_mut().enumerate() {
+                let (latitude, longitude) = grid::at(&grid, i % side, i / side);
+                if let Some(h) = known(latitude, longitude) {
+                    *height = h as f32;
+                }
+            }
+        }
+        if tile.lod == lod {
+            flatten(ground, tile, &mut heights);
+        }
+        rasters.insert(tile, heights);
+    }
+    if !held && ground.terrain.is_none() {
+        notes.push(format!(
+            "No terrain is known around the model: its geocell is level, {:.2} m above the ellipsoid (invented).",
+            ground.height
+        ));
+    }
+    // From the finest up, so that coarse posts are the fine ones at the same place.
+    for &tile in order.iter().rev() {
+        let Some(parent) = tile.parent() else { continue };
+        let fine = rasters[&tile].clone();
+        if let Some(coarse) = rasters.get_mut(&parent) {
+            coarser(&fine, tile, coarse);
+        }
+    }
+    let written = rasters.into_iter().map(|(tile, heights)| {
+        let side = side(tile.lod);
+        let bytes = geotiff::write(side, side, &heights, &elevation_grid(tile), ground.marking)?;
+        Ok(File {
+            path: names::path(tile, ELEVATION, SELECTOR, "tif"),
+            bytes,
+            media_type: "image/tiff; application=geotiff",
+        })
+    });
+    written.collect()
+}
+
+/// Level with the model about it, and smoothly back to what was there.
+fn flatten(ground: &Ground, tile: Tile, heights: &mut [f32]) {
+    let (side, grid) = (side(tile.lod) as usize, elevation_grid(tile));
+    let metres_east = DEGREE * ground.latitude.to_radians().cos();
+    for (i, height) in heights.iter_mut().enumerate() {
+        let (latitude, longitude) = grid::at(&grid, i % side, i / side);
+        let east = (longitude - ground.longitude + 540.0).rem_euclid(360.0) - 180.0;
+        let distance = (east * metres_east).hypot((latitude - ground.latitude) * DEGREE);
+        let t = ((distance / ground.radius - 1.0) / (BLEND - 1.0)).clamp(0.0, 1.0);
+        let share = t * t * (3.0 - 2.0 * t);
+        *height = (ground.height + (f64::from(*height) - ground.height) * share) as f32;
+    }
+}
+
+/// Where a tile's south-west post lies in its parent: column from the west, row from the south.
+fn place_in_parent(tile: Tile) -> (usize, usize) {
+    let half = side(tile.lod - 1) as usize / 2;
+    let shift = |n: u32| if tile.lod > 0 { (n & 1) as usize * half } else { 0 };
+    (shift(tile.right), shift(tile.up))
+}
+
+/// A tile's posts between those of its parent. Beyond the parent's last posts, which are its neighbours' first, the last
+/// ones count.
+fn finer(parent: &[f32], tile: Tile) -> Vec<f32> {
+    let (n, from) = (side(tile.lod) as usize, side(tile.lod - 1) as usize);
+    let (left, bottom) = place_in_parent(tile);
+    let at = |x: usize, y: usize| parent[(from - 1 - y.min(from - 1)) * from + x.min(from - 1)];
+    let mut out = Vec::with_capacity(n * n);
+    for row in 0..n {
+        let y = n - 1 - row;
+        for x in 0..n {
+            let (px, py) = (left + x / 2, bottom + y / 2);
+            let (dx, dy) = (x & 1, y & 1);
+            out.push((at(px, py) + at(px + dx, py) + at(px, py + dy) + at(px + dx, py + dy)) / 4.0);
+        }
+    }
+    out
+}
+
+/// Puts every second post of a tile into its parent.
+fn coarser(fine: &[f32], tile: Tile, parent: &mut [f32]) {
+    let (n, into) = (side(tile.lod) as usize, side(tile.lod - 1) as usize);
+    let (left, bottom) = place_in_parent(tile);
+    for y in (0..n).step_by(2) {
+        for x in (0..n).step_by(2) {
+            parent[(into - 1 - bottom - y / 2) * into + left + x / 2] = fine[(n - 1 - y) * n + x];
+        }
+    }
+}
+
+/// The heights of a tile of the store.
+fn stored(store: &dyn Store, tile: Tile) -> Result<Option<Vec<f32>>> {
+    let path = names::path(tile, ELEVATION, SELECTOR, "tif");
+    let Some(bytes) = store::read(store, &path)? else { return Ok(None) };
+    let raster = geotiff::read(&bytes).map_err(|e| store::unreadable(&path, &e))?;
+    let side = side(tile.lod);
+    if (raster.width, raster.height) != (side, side) {
+        let what = format!("{} × {} posts, where its level has {side} × {side}", raster.width, raster.height);
+        return Err(store::unreadable(&path, &what));
+    }
+    // A second band holds the kind of mesh, which a flat part does not change.
+    let bands = raster.bands;
+    let first = |i: usize| i * bands;
+    let count = side as usize * side as usize;
+    let heights: Vec<f32> = match raster.samples {
+        Samples::Floats(v) => (0..count).map(|i| v[first(i)]).collect(),
+        Samples::Integers(v) => {
+            let unit = 2f64.powi(-i32::from(tile.lod.max(0)));
+            (0..count).map(|i| (f64::from(v[first(i)]) * unit) as f32).collect()
+        }
+        Samples::Bytes(_) => return Err(store::unreadable(&path, &"unsigned bytes for heights")),
+    };
+    match heights.iter().find(|h| !h.is_finite()) {
+        Some(h) => Err(store::unreadable(&path, &format!("a height of {h}"))),
+        None => Ok(Some(heights)),
+    }
+}
+
+#[cfg(test)]
+mod tests;

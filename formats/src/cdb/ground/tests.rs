@@ -1,0 +1,137 @@
+use super::*;
+use crate::cdb::{self, Memory};
+use crate::jp2;
+
+const PLACE: (f64, f64, f64) = (34.5523, -118.4712, 740.0);
+
+fn ground<'a>() -> Ground<'a> {
+    let (latitude, longitude, height) = PLACE;
+    let marking = "CLASSIFICATION: UNCLASSIFIED";
+    Ground { latitude, longitude, height, radius: 30.0, terrain: None, colors: None, marking }
+}
+
+fn heights(store: &Memory, tile: Tile) -> Vec<f32> {
+    stored(store, tile).unwrap().unwrap()
+}
+
+/// Height between the posts of the tile that holds a point, as a client finds it.
+fn height_at(store: &Memory, lod: i8, latitude: f64, longitude: f64) -> f64 {
+    let tile = Tile::containing(latitude, longitude, lod).unwrap();
+    let (n, grid) = (side(lod) as usize, elevation_grid(tile));
+    let x = ((longitude - grid.west) / grid.step_x).round() as usize;
+    let y = ((grid.north - latitude) / grid.step_y).round() as usize;
+    heights(store, tile)[y.min(n - 1) * n + x.min(n - 1)].into()
+}
+
+#[test]
+fn a_new_store_gets_a_whole_pyramid_that_passes_its_own_check() {
+    let added = add_ground(&cdb::Empty, ground()).unwrap();
+    assert_eq!(added.lod, 4, "posts of 6.8 m under a radius of 30 m");
+    assert!(added.notes[0].contains("invented"));
+    let mut store = Memory::default();
+    store.write(added.files);
+    for lod in -10..=4 {
+        let tile = Tile::containing(PLACE.0, PLACE.1, lod).unwrap();
+        assert!(heights(&store, tile).iter().all(|h| *h == 740.0));
+        let path = names::path(tile, IMAGERY, SELECTOR, "jp2");
+        let header = jp2::header(&store.files[&path]).unwrap();
+        assert_eq!((header.width, header.bits), (side(lod), vec![8; 3]));
+        assert!(header.texts[0].contains("CLASSIFICATION: UNCLASSIFIED"));
+    }
+    assert_eq!(store.files.len(), 30);
+    let broken: Vec<_> = cdb::check(&store).unwrap().into_iter().filter(|f| f.rule == 13).collect();
+    assert_eq!(broken, []);
+}
+
+#[test]
+fn terrain_is_level_under_the_model_and_itself_away_from_it() {
+    let slope = |latitude: f64, longitude: f64| 700.0 + 1000.0 * (latitude - 34.55) + 500.0 * (longitude + 118.47);
+    let mut known = |a: f64, b: f64| Some(slope(a, b));
+    let added = add_ground(&cdb::Empty, Ground { terrain: Some(&mut known), ..ground() }).unwrap();
+    assert_eq!(added.notes, Vec::<String>::new());
+    let mut store = Memory::default();
+    store.write(added.files);
+    for lod in [0, 2, 4] {
+        let spacing = DEGREE / 1024.0 / f64::from(1 << lod);
+        // Level under it, as far as the level has posts there.
+        if spacing < 30.0 {
+            assert_eq!(height_at(&store, lod, PLACE.0, PLACE.1), 740.0);
+            assert_eq!(height_at(&store, lod, PLACE.0 + 20.0 / DEGREE, PLACE.1), 740.0);
+        }
+        // The slope everywhere else, at the post's own place: corner registration.
+        let tile = Tile::containing(PLACE.0, PLACE.1, lod).unwrap();
+        let (n, grid) = (side(lod) as usize, elevation_grid(tile));
+        let all = heights(&store, tile);
+        for (column, row) in [(0, n - 1), (3, 3), (n - 1, 0)] {
+            let (latitude, longitude) = grid::at(&grid, column, row);
+            let expected = slope(latitude, longitude);
+            assert!((f64::from(all[row * n + column]) - expected).abs() < 1e-3, "LOD {lod}: {column} {row}");
+        }
+        let [south, west, ..] = tile.bounds();
+        assert_eq!(grid::at(&grid, 0, n - 1).1, west);
+        assert!((grid::at(&grid, 0, n - 1).0 - south).abs() < 1e-12);
+    }
+    // Posts that coincide agree from level to level.
+    let fine = height_at(&store, 4, 34.5, -118.5);
+    assert_eq!(height_at(&store, 3, 34.5, -118.5), fine);
+}
+
+#[test]
+fn ground_of_a_store_is_kept_away_from_the_model() {
+    let mut rolling = |a: f64, b: f64| Some(600.0 + 10.0 * (a * 900.0).sin() + 10.0 * (b * 900.0).cos());
+    let far = Ground { terrain: Some(&mut rolling), latitude: 34.553, longitude: -118.46, ..ground() };
+    let mut store = Memory::default();
+    store.write(add_ground(&cdb::Empty, far).unwrap().files);
+    let before = store.clone();
+    let added = add_ground(&store, ground()).unwrap();
+    assert!(added.notes.iter().any(|n| n.contains("imagery")), "{:?}", added.notes);
+    assert!(added.files.iter().all(|f| f.path.ends_with(".tif")));
+    store.write(added.files);
+    assert_eq!(height_at(&store, 4, PLACE.0, PLACE.1), 740.0);
+    let (there, away) = ((34.5523 + 95.0 / DEGREE, -118.4712), height_at);
+    assert_eq!(away(&store, 4, there.0, there.1), away(&before, 4, there.0, there.1));
+    assert_ne!(away(&before, 4, PLACE.0, PLACE.1), 740.0);
+}
+
+#[test]
+fn finer_tiles_without_data_come_from_coarser_ones() {
+    // A plane over LOD 0; LOD 4 is interpolated from it without a step, except at the rim that belongs to neighbours.
+    let tile = |lod| Tile::containing(PLACE.0, PLACE.1, lod).unwrap();
+    let mut parent: Vec<f32> = {
+        let grid = elevation_grid(tile(0));
+        (0..1024 * 1024).map(|i| (1000.0 * (grid::at(&grid, i % 1024, i / 1024).0 - 34.0)) as f32).collect()
+    };
+    for lod in 1..=4 {
+        let grid = elevation_grid(tile(lod));
+        parent = finer(&parent, tile(lod));
+        for i in (0..1024 * 1024).step_by(4099).filter(|i| i / 1024 > 40) {
+            let expected = 1000.0 * (grid::at(&grid, i % 1024, i / 1024).0 - 34.0);
+            assert!((f64::from(parent[i]) - expected).abs() < 1e-2, "LOD {lod} at {i}: {} {expected}", parent[i]);
+        }
+    }
+}
+
+#[test]
+fn imagery_holds_the_colours_and_their_means() {
+    let mut colors =
+        |a: f64, b: f64| (a > 34.5523).then_some(if b > -118.4712 { [250, 10, 20] } else { [10, 200, 30] });
+    let mut ground = ground();
+    ground.colors = Some(&mut colors);
+    let tiles: BTreeSet<Tile> = [Tile::containing(PLACE.0, PLACE.1, 4).unwrap()].into();
+    let files = imagery::tiles(&mut ground, &tiles, 4).unwrap();
+    assert_eq!(files.len(), 15);
+    assert!(files.iter().all(|f| names::parse(&f.path).is_some()));
+}
+
+#[test]
+fn a_place_at_the_seam_of_tiles_gets_them_all() {
+    for (latitude, longitude, tiles) in [(34.5, -118.5, 4), (34.5, -118.47, 2), (10.0, -180.0, 4), (34.52, -118.47, 1)]
+    {
+        let at = Ground { latitude, longitude, ..ground() };
+        assert_eq!(touched(&at, 4).unwrap().len(), tiles, "{latitude} {longitude}");
+    }
+    assert!(!touched(&Ground { latitude: 89.9999, ..ground() }, 4).unwrap().is_empty());
+    assert!(add_ground(&cdb::Empty, Ground { radius: f64::NAN, ..ground() }).is_err());
+    assert!(add_ground(&cdb::Empty, Ground { height: f64::INFINITY, ..ground() }).is_err());
+    assert!(add_ground(&cdb::Empty, Ground { latitude: 91.0, ..ground() }).is_err());
+}
