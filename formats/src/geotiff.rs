@@ -159,7 +159,44 @@ fn image(width: u32, height: u32, bits: u16, bytes: usize) -> Directory {
     directory
 }
 
+/// Refuses a first directory that promises more values than the file holds: the decoder makes room for them before its
+/// limits can be set.
+fn check_directory(bytes: &[u8]) -> Result<()> {
+    let refuse = |at: usize, expected: &str| Error::malformed(FORMAT, at, expected, "another");
+    let big = match bytes.get(..4) {
+        Some(b"II*\0") => false,
+        Some(b"MM\0*") => true,
+        _ => return Err(refuse(0, "the signature of a TIFF file below 4 GiB")),
+    };
+    let word = |at: usize| -> Result<usize> {
+        let b: [u8; 4] =
+            bytes.get(at..).and_then(|b| b.first_chunk()).copied().ok_or_else(|| refuse(at, "four bytes"))?;
+        Ok(if big { u32::from_be_bytes(b) } else { u32::from_le_bytes(b) } as usize)
+    };
+    let short = |at: usize| -> Result<usize> {
+        let b: [u8; 2] =
+            bytes.get(at..).and_then(|b| b.first_chunk()).copied().ok_or_else(|| refuse(at, "two bytes"))?;
+        Ok(if big { u16::from_be_bytes(b) } else { u16::from_le_bytes(b) }.into())
+    };
+    let start = word(4)?;
+    for i in 0..short(start)? {
+        let at = start + 2 + 12 * i;
+        let size = match short(at + 2)? {
+            3 | 8 => 2,
+            4 | 9 | 11 | 13 => 4,
+            5 | 10 | 12 | 16..=18 => 8,
+            _ => 1,
+        };
+        let length = word(at + 4)?.saturating_mul(size);
+        if length > 4 && word(at + 8)?.saturating_add(length) > bytes.len() {
+            return Err(refuse(at, "values inside the file"));
+        }
+    }
+    Ok(())
+}
+
 fn open(bytes: &[u8]) -> Result<Decoder<Cursor<&[u8]>>> {
+    check_directory(bytes)?;
     let mut limits = Limits::default();
     limits.decoding_buffer_size = 24 << 20;
     limits.intermediate_buffer_size = limits.decoding_buffer_size;

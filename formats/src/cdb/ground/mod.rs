@@ -101,8 +101,9 @@ fn finest(radius: f64) -> i8 {
 fn touched(ground: &Ground, lod: i8) -> Result<BTreeSet<Tile>> {
     let north = BLEND * ground.radius / DEGREE;
     let east = north / ground.latitude.to_radians().cos().max(1e-3);
-    let mut tiles = BTreeSet::new();
-    for (a, b) in [(0.0, 0.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+    // The place itself must be one on the Earth; what reaches over a pole or the date line is brought back.
+    let mut tiles = BTreeSet::from([Tile::containing(ground.latitude, ground.longitude, lod)?]);
+    for (a, b) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
         let latitude = (ground.latitude + a * north).clamp(-90.0, 90.0);
         let longitude = ground.longitude + b * east;
         let wrapped =
