@@ -87,7 +87,7 @@ fn a_record_dated_by_a_server() {
     assert_eq!((time["stratum"].as_u64(), time["reference"].as_str()), (Some(1), Some(&*format!("{server} (GPS)"))));
     let off = time["offset_us"].as_i64().unwrap() - 3_600_000_000;
     assert!(off.abs() < 2_000_000, "{off} µs besides the hour");
-    assert_eq!(record["schema_minor"], 4);
+    assert_eq!(record["schema_minor"], 5);
     assert!(!record.to_string().contains(dir.path().to_str().unwrap()), "an absolute path in {record}");
 }
 
@@ -134,6 +134,54 @@ fn a_record_dated_by_this_machine() {
     let codes: Vec<String> =
         json(&verified)["findings"].as_array().unwrap().iter().map(|f| f["code"].to_string()).collect();
     assert!(verified.status.success() && !codes.iter().any(|c| c.contains("TIME_")), "{codes:?}");
+}
+
+/// What a record says of the program and of its call, what it says only when asked, and what it never says.
+#[test]
+fn the_program_and_its_call() {
+    let dir = tempfile::tempdir().unwrap();
+    let record = published(dir.path(), None).unwrap();
+    let out = dir.path().join("out");
+    let argv: Vec<&str> =
+        record["source"]["argv_redacted"].as_array().unwrap().iter().map(|w| w.as_str().unwrap()).collect();
+    assert_eq!(
+        argv,
+        ["orb", "export", "[...]", "--origin", "[...]", "--format", "ply", "--output", "[...]"],
+        "{argv:?}"
+    );
+    let program = env!("CARGO_BIN_EXE_orb");
+    let sum = Command::new("sha256sum").arg(program).output().unwrap();
+    let sha256 = said(&sum).split_whitespace().next().unwrap().to_owned();
+    let tool = &record["tool"];
+    assert_eq!(tool["binary_sha256"], sha256.as_str());
+    assert!(tool["rustc"].as_str().unwrap().starts_with("rustc ") && tool["git_commit"].is_string(), "{tool}");
+    assert!(record["where"]["hostname"].is_null() && record["actor"]["display"].is_null(), "{record}");
+    assert!(record["crypto"]["module_certificate_claim"].is_null() || cfg!(feature = "fips"));
+    let verify = |program: &str| {
+        orb(&dir.path().join("data"), &["audit", "verify", out.to_str().unwrap(), "--program", program])
+    };
+    assert_eq!(verify(program).status.code(), Some(0), "{}", said(&verify(program)));
+    let other = verify(&scene(dir.path()));
+    assert!(other.status.code() == Some(1) && said(&other).contains("PROGRAM_DIGEST"), "{}", said(&other));
+
+    // What the user states is in every record of the call, also of what only happened.
+    let data = dir.path().join("data");
+    let key = dir.path().join("unit.pem");
+    let stated = Command::new(program)
+        .args(["audit", "keygen", "-o", key.to_str().unwrap()])
+        .env("ORB_DATA_DIR", &data)
+        .env("ORB_OPERATOR_NAME", "Jane Doe")
+        .env("ORB_OPERATOR_ROLE", "key custodian")
+        .env("ORB_RETENTION", "P6Y")
+        .env("ORB_RECORD_HOSTNAME", "1")
+        .output()
+        .unwrap();
+    assert!(stated.status.success(), "{}", said(&stated));
+    let last = records(dir.path()).pop().unwrap()["predicate"].clone();
+    assert_eq!((&last["actor"]["display"], &last["actor"]["role"]), (&"Jane Doe".into(), &"key custodian".into()));
+    assert_eq!(last["retention_hint"], "P6Y");
+    assert!(last["where"]["hostname"].is_string() || !cfg!(target_os = "linux"), "{}", last["where"]);
+    assert!(!last.to_string().contains("unit.pem"), "{last}");
 }
 
 /// The records of a ledger.

@@ -7,6 +7,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::canonical::sha256_hex;
 use super::record::printable;
+use crate::cli::argv;
 
 /// One call of the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,6 +23,16 @@ pub struct Invocation {
     pub cwd_rel: Option<String>,
     /// The same in every record of one call: a UUID version 8 (RFC 9562 §5.8) made from the machine's start and the process.
     pub request_id: Option<String>,
+    /// The command line, as [`argv::redacted`] gives it.
+    pub argv_redacted: Option<Vec<String>>,
+    /// The machine's name, only where `ORB_RECORD_HOSTNAME` is `1`.
+    pub hostname: Option<String>,
+    /// `ORB_OPERATOR_NAME`: the operator's name for people to read.
+    pub display: Option<String>,
+    /// `ORB_OPERATOR_ROLE`: what the operator acts as.
+    pub role: Option<String>,
+    /// `ORB_RETENTION`: how long the record is to be kept.
+    pub retention_hint: Option<String>,
 }
 
 impl Invocation {
@@ -29,6 +40,7 @@ impl Invocation {
     pub fn of_this_process() -> Invocation {
         let var = |name: &str| std::env::var(name).ok();
         let real = |path: &Path| fs::canonicalize(path).ok();
+        let stated = |name: &str| stated(name, var);
         let home = var("HOME").or_else(|| var("USERPROFILE")).and_then(|home| real(home.as_ref()));
         let cwd = std::env::current_dir().ok().and_then(|cwd| real(&cwd));
         Invocation {
@@ -37,6 +49,11 @@ impl Invocation {
             container: container(Path::new("/"), var),
             cwd_rel: cwd.zip(home).and_then(|(cwd, home)| below(&cwd, &home)),
             request_id: request_id(Path::new("/proc"), std::process::id()),
+            argv_redacted: argv::redacted(std::env::args_os()),
+            hostname: hostname(Path::new("/proc"), var),
+            display: stated("ORB_OPERATOR_NAME"),
+            role: stated("ORB_OPERATOR_ROLE"),
+            retention_hint: stated("ORB_RETENTION"),
         }
     }
 }
@@ -50,6 +67,18 @@ pub fn host_id(machine_id: &str, ledger_id: &str) -> String {
 pub fn operator_from(var: impl Fn(&str) -> Option<String>) -> String {
     let name = ["USER", "LOGNAME", "USERNAME"].into_iter().find_map(|n| var(n).filter(|v| !v.trim().is_empty()));
     printable(name.as_deref().unwrap_or("unknown"))
+}
+
+/// What the user wants to be said in every record.
+fn stated(name: &str, var: impl Fn(&str) -> Option<String>) -> Option<String> {
+    var(name).map(|words| printable(words.trim())).filter(|words| !words.is_empty())
+}
+
+/// A machine's name often tells whose it is: records have it only where the user asks for it.
+fn hostname(proc: &Path, var: impl Fn(&str) -> Option<String>) -> Option<String> {
+    stated("ORB_RECORD_HOSTNAME", &var).filter(|v| v == "1")?;
+    let kernel = fs::read_to_string(proc.join("sys/kernel/hostname")).ok();
+    stated("kernel", |_| kernel.clone()).or_else(|| stated("COMPUTERNAME", &var)).or_else(|| stated("HOSTNAME", &var))
 }
 
 /// Linux: 32 hexadecimal digits. Images of containers and machines not yet set up have an empty file, or a word in it.
@@ -109,6 +138,20 @@ mod tests {
     fn who_ran_it() {
         assert_eq!(operator_from(|n| (n == "LOGNAME").then(|| "jane".into())), "jane");
         assert_eq!(operator_from(|_| None), "unknown");
+    }
+
+    #[test]
+    fn what_names_people_and_machines_is_said_only_when_asked() {
+        let dir = tempfile::tempdir().unwrap();
+        let proc = dir.path();
+        write(proc, "sys/kernel/hostname", "janes-laptop\n");
+        let host = |value: &'static str| hostname(proc, move |n| (n == "ORB_RECORD_HOSTNAME").then(|| value.into()));
+        assert_eq!([host(""), host("0"), host("yes")], [None, None, None]);
+        assert_eq!(host("1").as_deref(), Some("janes-laptop"));
+        assert_eq!(hostname(proc, |_| None), None);
+        let of = |value: &'static str| stated("ORB_OPERATOR_NAME", move |_| Some(value.into()));
+        assert_eq!([of(""), of(" \n")], [None, None]);
+        assert_eq!(of(" Jane\tDoe ").as_deref(), Some("Jane\u{fffd}Doe"));
     }
 
     #[test]

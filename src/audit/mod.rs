@@ -24,6 +24,7 @@ pub mod ledger_check;
 pub mod marking;
 pub mod merkle;
 mod pem;
+pub mod program;
 pub mod publication;
 pub mod record;
 mod record_check;

@@ -154,12 +154,14 @@ pub fn compose(
             place: Place {
                 os: std::env::consts::OS.into(),
                 arch: std::env::consts::ARCH.into(),
-                hostname: None,
+                hostname: by.hostname.clone(),
                 host_id: by.machine_id.as_deref().map(|id| host_id(id, &chain.ledger_id)),
                 container: by.container.clone(),
             },
             chain,
             actor: Actor {
+                display: by.display.clone(),
+                role: by.role.clone(),
                 operator_id: key.chain().map_or_else(|| by.operator_id.clone(), |c| printable(c.operator())),
                 auth: if key.chain().is_some() { "pki" } else { "os-user" }.into(),
                 key_fingerprint: fingerprint.clone(),
@@ -171,7 +173,7 @@ pub fn compose(
             source: EventSource {
                 command: draft.command.clone(),
                 interface: "cli".into(),
-                argv_redacted: None,
+                argv_redacted: by.argv_redacted.clone(),
                 cwd_rel: by.cwd_rel.clone(),
                 request_id: by.request_id.clone(),
             },
@@ -179,11 +181,7 @@ pub fn compose(
             models: draft.models.clone(),
             params: draft.params.clone(),
             tool: draft.tool.clone(),
-            crypto: Crypto {
-                provider: "aws-lc-rs".into(),
-                provider_version: format!("AWS-LC {}", aws_lc_rs::awslc_version()),
-                fips_mode: aws_lc_rs::try_fips_mode().is_ok(),
-            },
+            crypto: Crypto::of_this_binary(),
             marking: MarkingBlock {
                 profile,
                 banner: marking.banner(),
@@ -193,6 +191,7 @@ pub fn compose(
                 authority,
                 cui_block: designation,
             },
+            retention_hint: by.retention_hint.clone(),
             notes: draft.notes.clone(),
             trail_hash: None,
         },

@@ -124,7 +124,7 @@ fn weight(code: &str) -> (Severity, Verdict) {
 fn controls(code: &str) -> &'static [&'static str] {
     match code {
         "OUTPUT_DIGEST" | "OUTPUT_MISSING" | "OUTPUT_EXTRA" | "INPUT_DIGEST" | "INPUT_MISSING" | "MODEL_DIGEST"
-        | "MODEL_NOT_ALLOWED" | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
+        | "MODEL_NOT_ALLOWED" | "PROGRAM_DIGEST" | "STORE_NOT_CHECKED" => &["si-7", "si-7.1"],
         "SIG_INVALID" | "SIGNATURE_MISSING" | "KEY_UNTRUSTED" | "SIGNER_MISMATCH" | "TRUST_STORE_EMPTY"
         | "KEY_EXPIRED" | "KEY_REVOKED" | "KEY_REVOKED_LATER" | "KEY_SCOPE" | "CERT_EXPIRED" | "CERT_REVOKED"
         | "CERT_REVOKED_LATER" | "CERT_UNTRUSTED" => &["au-9.3", "au-10"],
@@ -210,6 +210,7 @@ fn hint(code: &str) -> &'static str {
             "Get the authority's certificate from the authority and add it: orb audit key trust add FILE."
         }
         "MODEL_DIGEST" => "The result was not made with these weights, or they were exchanged since.",
+        "PROGRAM_DIGEST" => "The result was not made by this program, or it was exchanged since.",
         "MODEL_NOT_ALLOWED" => "The result was made with weights that your list does not hold.",
         "KEY_SHORT" => "3072 bits or more are advised.",
         _ => "",

@@ -30,6 +30,11 @@ pub fn sha256() -> String {
     sha256_hex(cyclonedx().as_bytes())
 }
 
+/// Of a package that the lock file has once, or the first of several.
+pub(super) fn locked_version(name: &str) -> Option<&'static str> {
+    packages(LOCK).iter().find(|p| p.name == name).map(|p| p.version)
+}
+
 fn of_lock(lock: &str, root: &str) -> Value {
     let packages = packages(lock);
     let reference = |p: &Package<'_>| format!("pkg:cargo/{}@{}", p.name, p.version);

@@ -12,7 +12,7 @@ use super::keys::SigningKey;
 use super::marking::Marking;
 use super::marking::authority::{Authority, Designation};
 pub use super::marking::{Ism, Profile};
-use super::sbom;
+pub use super::program::{Crypto, Tool};
 use super::time;
 use super::time::{Source, SyncStatus, TimeReading};
 
@@ -22,7 +22,7 @@ pub const STATEMENT_TYPE: &str = "https://in-toto.io/Statement/v1";
 pub const PREDICATE_TYPE: &str = "https://orb.invalid/orb/audit-record/v1";
 pub const SCHEMA: &str = "orb.audit/v1";
 /// Of the records that this program writes. It reads those of every minor version: later ones only add fields.
-pub const SCHEMA_MINOR: u32 = 4;
+pub const SCHEMA_MINOR: u32 = 5;
 /// JSON Schema (draft 2020-12) of a record's payload.
 pub const RECORD_SCHEMA: &str = include_str!("../../docs/record.schema.json");
 /// `chain.prev` of a ledger's first record.
@@ -85,6 +85,9 @@ pub struct Predicate {
     pub tool: Tool,
     pub crypto: Crypto,
     pub marking: MarkingBlock,
+    /// How long the record is to be kept, in the words of who says so; since minor version 5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub retention_hint: Option<String>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notes: Option<String>,
     /// SHA-256 of the canonical statement without this field.
@@ -183,6 +186,7 @@ impl Time {
 pub struct Place {
     pub os: String,
     pub arch: String,
+    /// Only where the user asked for it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hostname: Option<String>,
     /// SHA-256 that tells the machines of one ledger apart and says nothing else about them; since minor version 4.
@@ -200,6 +204,12 @@ pub struct Actor {
     /// Who vouches for `operator_id`: `os-user` is the name that the operating system gave, no more; `pki` is the name in
     /// the signer's certificate.
     pub auth: String,
+    /// The operator's name for people to read, as stated, where it was; nobody vouches for it; since minor version 5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub display: Option<String>,
+    /// What the operator acted as, as stated, where it was; nobody vouches for it; since minor version 5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub role: Option<String>,
     pub key_fingerprint: String,
     pub algorithm: String,
     pub key_source: String,
@@ -229,6 +239,7 @@ impl CoSigner {
 pub struct EventSource {
     pub command: String,
     pub interface: String,
+    /// The command line as it was understood; what it says in free words is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub argv_redacted: Option<Vec<String>>,
     /// The working folder as seen from the user's home folder, where it is below; since minor version 4.
@@ -243,9 +254,12 @@ impl EventSource {
     fn check(&self) -> Result<(), String> {
         // As a record's own system spells a root: `/x`, `\\x`, `C:x`.
         let is_absolute = |path: &str| path.starts_with(['/', '\\']) || path.get(1..2) == Some(":");
-        match &self.cwd_rel {
-            Some(path) if is_absolute(path) => Err(format!("source.cwd_rel {path:?}: expected a relative path")),
-            _ => Ok(()),
+        if let Some(path) = self.cwd_rel.as_ref().filter(|path| is_absolute(path)) {
+            return Err(format!("source.cwd_rel {path:?}: expected a relative path"));
+        }
+        match self.argv_redacted.iter().flatten().find(|word| is_absolute(word)) {
+            Some(word) => Err(format!("source.argv_redacted {word:?}: expected no absolute path")),
+            None => Ok(()),
         }
     }
 }
@@ -292,47 +306,6 @@ pub enum Param {
     Bool(bool),
     Int(i64),
     Text(String),
-}
-
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Tool {
-    pub name: String,
-    pub version: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub git_commit: Option<String>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub target: Option<String>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rustc: Option<String>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub features: Option<Vec<String>>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub binary_sha256: Option<String>,
-    /// Of what `orb audit sbom` prints; since minor version 2.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sbom_sha256: Option<String>,
-}
-
-impl Tool {
-    /// This program.
-    pub fn of_this_binary() -> Tool {
-        Tool {
-            name: "orb".into(),
-            version: env!("CARGO_PKG_VERSION").into(),
-            target: Some(format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS)),
-            sbom_sha256: Some(sbom::sha256()),
-            ..Tool::default()
-        }
-    }
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Crypto {
-    pub provider: String,
-    pub provider_version: String,
-    pub fips_mode: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -449,8 +422,17 @@ impl Statement {
         if let Some(host_id) = &p.place.host_id {
             hex("where.host_id", host_id, 64)?;
         }
-        if let Some(sha256) = &p.tool.sbom_sha256 {
-            hex("tool.sbom_sha256", sha256, 64)?;
+        p.tool.check()?;
+        p.crypto.check()?;
+        for (name, words) in [
+            ("where.hostname", &p.place.hostname),
+            ("actor.display", &p.actor.display),
+            ("actor.role", &p.actor.role),
+            ("retention_hint", &p.retention_hint),
+        ] {
+            if words.as_ref().is_some_and(|w| w.len() > 256) {
+                return Err(format!("{name}: at most 256 bytes"));
+            }
         }
         for input in &p.inputs {
             hex("inputs.sha256", &input.sha256, 64)?;
@@ -488,7 +470,7 @@ fn same(field: &str, expected: &str, found: &str) -> Result<(), String> {
     if found == expected { Ok(()) } else { Err(format!("{field}: expected {expected:?}, found {found:?}")) }
 }
 
-fn hex(field: &str, text: &str, digits: usize) -> Result<(), String> {
+pub(super) fn hex(field: &str, text: &str, digits: usize) -> Result<(), String> {
     if text.len() == digits && text.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b)) {
         Ok(())
     } else {

@@ -7,6 +7,8 @@
 #[cfg(not(feature = "fips"))]
 mod clocks;
 #[cfg(not(feature = "fips"))]
+mod fields;
+#[cfg(not(feature = "fips"))]
 mod folders;
 #[cfg(not(feature = "fips"))]
 mod ledgers;
@@ -98,10 +100,12 @@ fn judge(root: &Path, case: &Case) -> crate::Result<Report> {
     };
     let beside: Vec<PathBuf> = case.beside.iter().map(|name| root.join(name)).collect();
     let weights: Vec<PathBuf> = value("--weights").map(|name| root.join(name)).into_iter().collect();
+    let program = value("--program").map(|name| root.join(name));
     match case.kind {
         Kind::Folder => {
             let folder = root.join("folder").join(&case.name);
-            verify(&Request { inputs: &beside, weights: &weights, policy, ..Request::new(&folder, &trust, NOW_MS) })
+            let request = Request::new(&folder, &trust, NOW_MS);
+            verify(&Request { inputs: &beside, weights: &weights, program: program.as_deref(), policy, ..request })
         }
         Kind::Ledger => verify_ledger(&LedgerRequest {
             ledger: &root.join("ledger").join(&case.name).join("orb-ledger.jsonl"),

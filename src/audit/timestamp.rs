@@ -178,6 +178,9 @@ fn check_attributes(signer: &SignerInfo, content: &[u8], certificate: &[u8]) -> 
     }
     // SigningCertificateV2 { certs { ESSCertIDv2 { hashAlgorithm DEFAULT sha256, certHash, … }, … }, … }.
     let first = |any: &Any| any.decode_as::<Vec<Any>>().ok();
+    if !attributes.iter().any(|a| a.oid == SIGNING_CERTIFICATE_V2) {
+        return Err("its signer is not named by SHA-256 or more (RFC 5816): ask the authority for ESSCertIDv2".into());
+    }
     let id = first(&value(SIGNING_CERTIFICATE_V2)?)
         .and_then(|v| v.first().and_then(first))
         .and_then(|v| v.first().and_then(first));

@@ -40,6 +40,8 @@ pub struct Request<'a> {
     pub inputs: &'a [PathBuf],
     /// Network weights that the run is said to have used: files, or folders of one network each.
     pub weights: &'a [PathBuf],
+    /// The program that the run is said to have been: `orb` itself, as a file.
+    pub program: Option<&'a Path>,
     /// The root of the store that the run merged into.
     pub store: Option<&'a Path>,
     /// This machine's time, milliseconds since 1970.
@@ -52,8 +54,8 @@ pub struct Request<'a> {
 impl<'a> Request<'a> {
     /// The folder alone, without a policy.
     pub fn new(folder: &'a Path, trust: &'a TrustStore, now_ms: u64) -> Request<'a> {
-        let (inputs, weights, store, strict, policy) = (&[], &[], None, false, Policy::default());
-        Request { folder, trust, inputs, weights, store, now_ms, strict, policy }
+        let (inputs, weights, program, store, policy) = (&[], &[], None, None, Policy::default());
+        Request { folder, trust, inputs, weights, program, store, now_ms, strict: false, policy }
     }
 }
 
@@ -78,6 +80,10 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
         check_seal_files(request.folder, &envelope, is_pair, &mut found)?;
         if let Some(statement) = statement {
             check_fields(&statement, trust, &signers, stamp, request.now_ms, &mut found);
+            if request.policy.require_time_sync {
+                // Said once, as what it is under this policy.
+                found.retain(|f| f.code != "TIME_UNSYNCED");
+            }
             check_policy(&statement, request.policy, &mut found);
             check_proof(request, trust, &statement, &mut found)?;
             report.counts = check_files(request, &statement, &mut found)?;
@@ -321,6 +327,7 @@ fn check_files(request: &Request<'_>, statement: &Statement, found: &mut Vec<Fin
     check_extras(request.folder, statement, found)?;
     counts.inputs_verified = check_inputs(request, statement, found)?;
     check_weights(request.weights, statement, found)?;
+    check_program(request.program, statement, found)?;
     Ok(counts)
 }
 
@@ -439,6 +446,18 @@ fn check_weights(paths: &[PathBuf], statement: &Statement, found: &mut Vec<Findi
             let finding = Finding::new("MODEL_DIGEST", path.display().to_string());
             found.push(finding.expected(pins.join(", ")).actual(sha256));
         }
+    }
+    Ok(())
+}
+
+/// Another program than the record names, or a record that names none.
+fn check_program(path: Option<&Path>, statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+    let Some(path) = path else { return Ok(()) };
+    let (_, sha256) = disk::hash_file(path).map_err(|e| Error::io(path, &e))?;
+    let recorded = statement.predicate.tool.binary_sha256.as_deref();
+    if recorded != Some(sha256.as_str()) {
+        let finding = Finding::new("PROGRAM_DIGEST", path.display().to_string());
+        found.push(finding.expected(recorded.unwrap_or("a record that names its program")).actual(sha256));
     }
     Ok(())
 }

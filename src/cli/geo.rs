@@ -233,7 +233,7 @@ fn texture_size(text: &str) -> std::result::Result<u32, String> {
 pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     match (&args.tool, &args.manifest) {
         (Some(tool), _) => {
-            print!("{}", tools::run(tool, decimal_year(&time::now()?))?);
+            crate::cli::write_out(&tools::run(tool, decimal_year(&time::now()?))?);
             Ok(0)
         }
         (None, Some(_)) if args.kept.checkpoint.is_some() || args.kept.resume.is_some() => {
@@ -390,9 +390,9 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         photos: front.lines(done.several.as_ref()),
     };
     if args.json {
-        println!("{}", summary::json(&summary)?);
+        crate::cli::write_out(&format!("{}\n", summary::json(&summary)?));
     } else if !args.publish.quiet {
-        print!("{}", summary::text(&summary));
+        crate::cli::write_out(&summary::text(&summary));
     }
     Ok(0)
 }

@@ -4,6 +4,7 @@ use clap::Args;
 
 use crate::audit::Marking;
 use crate::audit::inband;
+use crate::audit::marking::Level;
 use crate::audit::marking::Profile;
 use crate::audit::marking::authority::{Authority, Designation};
 use crate::audit::marking::handling::{Handling, Request};
@@ -81,6 +82,12 @@ impl MarkingArgs {
         }
         for mark in handling.marking.unknown_categories() {
             eprintln!("orb: warning: {mark} is no category mark of CUI that Orb knows");
+        }
+        if handling.marking.level() == Level::Cui && handling.designation.is_none() {
+            eprintln!(
+                "orb: warning: CUI without its designation indicator block: see --cui-controlled-by, --cui-office, \
+                 --cui-category, --cui-poc"
+            );
         }
         Ok(handling)
     }

@@ -1,5 +1,6 @@
 //! The command line: one file a verb.
 
+pub mod argv;
 pub mod audit;
 mod bar;
 pub mod bench;
@@ -23,6 +24,7 @@ mod summary;
 #[cfg(feature = "view")]
 pub mod view;
 
+use std::io::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -35,11 +37,20 @@ use crate::audit::events::{self, Happened};
 /// One photo becomes a 3D model that a simulator loads at the right place on the Earth, with a marking, a signed
 /// record and no network.
 #[derive(Parser)]
-#[command(name = "orb", version, max_term_width = 100)]
+#[command(name = "orb", version, max_term_width = 100, after_help = ENVIRONMENT)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
 }
+
+const ENVIRONMENT: &str = "\
+Environment:
+  ORB_DATA_DIR         Folder of key, ledger, trust store, networks
+  ORB_MODELS_DIR       Folder of networks
+  ORB_OPERATOR_NAME    For records, as stated: who works
+  ORB_OPERATOR_ROLE    For records, as stated: what they act as
+  ORB_RETENTION        For records: how long they are to be kept
+  ORB_RECORD_HOSTNAME  1: records name the machine";
 
 #[derive(Subcommand)]
 enum Verb {
@@ -139,6 +150,16 @@ fn record_failure(command: &str, error: &crate::Error) {
 }
 
 fn show(outcome: audit::Outcome) -> u8 {
-    print!("{}", outcome.text);
+    write_out(&outcome.text);
     outcome.exit_code
+}
+
+/// To standard output. Who stops reading, as `head` does, has read enough: that changes nothing of what was done.
+pub(crate) fn write_out(text: &str) {
+    let mut out = std::io::stdout().lock();
+    if let Err(e) = out.write_all(text.as_bytes()).and_then(|()| out.flush())
+        && e.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        eprintln!("orb: warning: standard output: {e}");
+    }
 }

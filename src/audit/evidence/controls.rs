@@ -31,7 +31,14 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "AU-2, AU-12 Event logging, audit record generation",
-            all(&format!("{n} records, {failures} of them failures; `orb audit events` lists every kind"), true),
+            all(
+                &format!(
+                    "{}, {} among them; `orb audit events` lists every kind",
+                    count(n, "record"),
+                    count(failures, "failure")
+                ),
+                true,
+            ),
             "events of other programs",
             "choose which events matter and why; decide which components log",
         ),
@@ -77,8 +84,12 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
             "SI-7, SI-7(1) Software, firmware and information integrity",
             all(
                 &format!(
-                    "{} of {} outputs and {} of {} inputs equal their digests; {weights} pins of network weights",
-                    c.outputs_verified, c.outputs_listed, c.inputs_verified, c.inputs_listed
+                    "{} of {} outputs and {} of {} inputs equal their digests; {} of network weights",
+                    c.outputs_verified,
+                    c.outputs_listed,
+                    c.inputs_verified,
+                    c.inputs_listed,
+                    count(weights, "pin")
                 ),
                 pass,
             ),
@@ -89,7 +100,7 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
             "SC-13 Cryptographic protection",
             all(
                 if fips {
-                    "the module and its version; FIPS mode on"
+                    "the module, its version and the certificate that its maker names, where the build knows it; FIPS mode on"
                 } else {
                     "the module and its version; FIPS mode off"
                 },
@@ -112,7 +123,10 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "CMMC AU.L2-3.3.2 (SP 800-171 3.3.2)",
-            all(&format!("each action traced to an operator's name and a key; {} names", operators.len()), pass),
+            all(
+                &format!("each action traced to an operator's name and a key; {}", count(operators.len(), "name")),
+                pass,
+            ),
             "that no account is shared",
             "unique users",
         ),
@@ -137,6 +151,10 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
     Section { title: "Controls", blocks: vec![Block::Table { head, rows }] }
 }
 
+fn count(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
 /// How a signature speaks of a person: which of the cases, in how many records.
 fn who(records: &[Statement]) -> String {
     let (mut certified, mut in_token) = (0, 0);
@@ -146,8 +164,9 @@ fn who(records: &[Statement]) -> String {
     }
     let n = records.len();
     format!(
-        "the operator's name and the key that signed; of {n} records {certified} name the operator by an authority's certificate, \
+        "the operator's name and the key that signed; of {} {certified} name the operator by an authority's certificate, \
          {} by the operating system's word; {in_token} are signed in a token, {} by a key in a file",
+        count(n, "record"),
         n - certified,
         n - in_token
     )

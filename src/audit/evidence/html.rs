@@ -9,7 +9,7 @@ body{font:15px/1.45 system-ui,sans-serif;color:#111;background:#fff;max-width:75
 .banner{position:fixed;left:0;right:0;text-align:center;font-weight:700;letter-spacing:.06em;background:#111;color:#fff;\
 padding:.35em}.top{top:0}.bottom{bottom:0}h1{font-size:1.6em}h2{font-size:1.15em;border-bottom:1px solid #999;margin-top:2em}\
 table{border-collapse:collapse;width:100%;font-size:.88em}th,td{border:1px solid #bbb;padding:.3em .5em;text-align:left;\
-vertical-align:top;overflow-wrap:anywhere}th{background:#eee;white-space:nowrap}pre{background:#f4f4f4;padding:1em;overflow:auto;font-size:.8em}\
+vertical-align:top;overflow-wrap:anywhere}td.code{overflow-wrap:normal;white-space:nowrap}th{background:#eee;white-space:nowrap}pre{background:#f4f4f4;padding:1em;overflow:auto;font-size:.8em}\
 @media print{body{max-width:none}pre{white-space:pre-wrap}tr{break-inside:avoid}}";
 
 pub(super) fn render(document: &Document) -> String {
@@ -48,11 +48,17 @@ fn table(out: &mut String, head: &[&str], rows: &[Vec<String>]) {
     for row in rows {
         out.push_str("<tr>");
         for cell in row {
-            let _ = write!(out, "<td>{}</td>", escaped(cell));
+            let class = if is_code(cell) { " class=\"code\"" } else { "" };
+            let _ = write!(out, "<td{class}>{}</td>", escaped(cell));
         }
         out.push_str("</tr>\n");
     }
     out.push_str("</table>\n");
+}
+
+/// A word that must not be broken: the code of a finding, a control's name.
+fn is_code(cell: &str) -> bool {
+    cell.len() > 4 && cell.len() < 32 && cell.contains('_') && cell.bytes().all(|b| b.is_ascii_uppercase() || b == b'_')
 }
 
 fn escaped(text: &str) -> String {

@@ -72,12 +72,15 @@ fn document(evidence: &Evidence<'_>) -> Result<Document> {
         findings(&report.findings),
         scenes(records),
         blocks(records),
+        stated(records),
+        command_line(records),
         inputs(records),
         outputs(records),
         models(records),
         signers(records),
         clock(records),
         places(records),
+        programs(records),
         controls::matrix(evidence, records),
     ];
     if let Some(folder) = evidence.folder.filter(|_| !records.is_empty()) {
@@ -245,13 +248,14 @@ fn signers(records: &[Statement]) -> Section {
                 a.key_source.clone(),
                 format!("{} {}", c.provider, c.provider_version),
                 fips.into(),
+                c.module_certificate_claim.clone().unwrap_or("none".into()),
             ]
         })
         .collect();
     rows.sort();
     rows.dedup();
-    let mut section =
-        table("Keys and cryptography", vec!["Key (SPKI SHA-256)", "Algorithm", "From", "Module", "FIPS mode"], rows);
+    let head = vec!["Key (SPKI SHA-256)", "Algorithm", "From", "Module", "FIPS mode", "Certificate claimed"];
+    let mut section = table("Keys and cryptography", head, rows);
     if !section.blocks.is_empty() {
         section.blocks.push(Block::Text(
             "A key in a file gives integrity. It binds a person only as far as the organisation's custody of that file \
@@ -319,12 +323,62 @@ fn places(records: &[Statement]) -> Section {
             let place = &s.predicate.place;
             let text = |t: &Option<String>, absent: &str| t.clone().unwrap_or(absent.into());
             let system = format!("{}, {}", place.os, place.arch);
-            vec![text(&place.host_id, "not recorded"), system, text(&place.container, "none known")]
+            let name = text(&place.hostname, "not recorded");
+            vec![text(&place.host_id, "not recorded"), name, system, text(&place.container, "none known")]
         })
         .collect();
     rows.sort();
     rows.dedup();
-    table("Machines", vec!["Machine (hash)", "System", "Container"], rows)
+    table("Machines", vec!["Machine (hash)", "Name", "System", "Container"], rows)
+}
+
+/// What made the records.
+fn programs(records: &[Statement]) -> Section {
+    let mut rows: Vec<Vec<String>> = records
+        .iter()
+        .map(|Statement { predicate: p, .. }| {
+            let t = &p.tool;
+            let text = |t: &Option<String>| t.clone().unwrap_or("not recorded".into());
+            let changed = if t.dirty == Some(true) { ", changed since" } else { "" };
+            vec![
+                format!("{} {}", t.name, t.version),
+                format!("{}{changed}", text(&t.git_commit)),
+                format!("{}, {}", text(&t.rustc), text(&t.target)),
+                t.features.as_ref().map_or("not recorded".into(), |f| f.join(", ")),
+                text(&t.binary_sha256),
+                text(&t.sbom_sha256),
+            ]
+        })
+        .collect();
+    rows.sort();
+    rows.dedup();
+    let head = vec!["Program", "Source", "Compiler, target", "Features", "Program's SHA-256", "SBOM's SHA-256"];
+    table("Programs", head, rows)
+}
+
+/// What the operator or the organisation said of a record, and nobody vouches for.
+fn stated(records: &[Statement]) -> Section {
+    let mut rows = Vec::new();
+    for Statement { predicate: p, .. } in records {
+        let lines = [
+            ("Operator", p.actor.display.as_deref()),
+            ("Role", p.actor.role.as_deref()),
+            ("To be kept", p.retention_hint.as_deref()),
+        ];
+        rows.extend(
+            lines
+                .iter()
+                .filter_map(|(name, value)| Some(vec![p.chain.seq.to_string(), (*name).into(), (*value)?.into()])),
+        );
+    }
+    table("As stated by the operator", vec!["Record", "Line", "Value"], rows)
+}
+
+/// The command line of a folder's record; of a ledger they would be its greater part.
+fn command_line(records: &[Statement]) -> Section {
+    let [record] = records else { return Section { title: "Command line", blocks: Vec::new() } };
+    let blocks = record.predicate.source.argv_redacted.iter().map(|words| Block::Commands(words.join(" "))).collect();
+    Section { title: "Command line", blocks }
 }
 
 fn hashes(records: &[Statement]) -> Section {

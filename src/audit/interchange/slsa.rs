@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::audit::statement::{Input, Model, STATEMENT_TYPE, Statement};
+use crate::audit::statement::{Input, Model, STATEMENT_TYPE, Statement, Tool};
 
 const PREDICATE_TYPE: &str = "https://slsa.dev/provenance/v1";
 /// A name, not an address.
@@ -25,12 +25,12 @@ pub fn provenance(statement: &Statement) -> Value {
         "predicate": {
             "buildDefinition": {
                 "buildType": BUILD_TYPE,
-                "externalParameters": {"command": p.source.command, "params": p.params},
-                "internalParameters": {"target": p.tool.target},
+                "externalParameters": {"command": p.source.command, "argv": p.source.argv_redacted, "params": p.params},
+                "internalParameters": {"target": p.tool.target, "rustc": p.tool.rustc, "features": p.tool.features},
                 "resolvedDependencies": inputs.chain(weights).collect::<Vec<_>>(),
             },
             "runDetails": {
-                "builder": {"id": BUILDER, "version": {"orb": p.tool.version}},
+                "builder": builder(&p.tool),
                 "metadata": {"invocationId": p.event.id, "startedOn": p.time.utc},
                 "byproducts": [{"name": "orb-record.dsse.json", "annotations": {"trail_hash": p.trail_hash}}],
             },
@@ -38,9 +38,24 @@ pub fn provenance(statement: &Statement) -> Value {
     })
 }
 
+/// The program: its version, its source's commit, and the files that it can be recognised by.
+fn builder(tool: &Tool) -> Value {
+    let mut version = json!({"orb": tool.version});
+    if let Some(commit) = &tool.git_commit {
+        version["git_commit"] = json!(commit);
+    }
+    let files = [("orb", &tool.binary_sha256), ("orb audit sbom", &tool.sbom_sha256)];
+    let dependencies: Vec<Value> = files
+        .iter()
+        .filter_map(|(name, sha256)| Some(json!({"name": name, "digest": {"sha256": sha256.as_ref()?}})))
+        .collect();
+    json!({"id": BUILDER, "version": version, "builderDependencies": dependencies})
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::canonical::sha256_hex;
     use crate::audit::keys::tests::shared_key;
     use crate::audit::record::{self, tests::draft};
     use crate::audit::statement::Outcome;
@@ -55,6 +70,9 @@ mod tests {
         // The photo and one network; a stage that did not run is no dependency.
         assert_eq!(needed.as_array().unwrap().len(), 2);
         assert_eq!(needed[0]["name"], "van.jpg");
+        let builder = &value["predicate"]["runDetails"]["builder"];
+        assert_eq!(builder["builderDependencies"][0]["digest"]["sha256"], sha256_hex(b"orb"));
+        assert_eq!(value["predicate"]["buildDefinition"]["externalParameters"]["argv"][2], "--seed");
         assert_eq!(value["predicate"]["runDetails"]["metadata"]["startedOn"], "2025-11-21T01:29:42.120Z");
     }
 }

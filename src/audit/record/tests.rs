@@ -30,6 +30,11 @@ pub(crate) fn draft() -> RecordDraft {
             container: Some("podman".into()),
             cwd_rel: Some("vans".into()),
             request_id: Some("01234567-89ab-8def-8123-456789abcdef".into()),
+            argv_redacted: Some(["orb", "geo", "--seed", "7"].map(str::to_owned).to_vec()),
+            hostname: Some("unit-7".into()),
+            display: Some("Jane Doe".into()),
+            role: Some("modeller".into()),
+            retention_hint: Some("P6Y".into()),
         },
         command: "orb geo".into(),
         inputs: vec![input("van.jpg", b"photo", "image/jpeg", "photo", None)],
@@ -39,7 +44,14 @@ pub(crate) fn draft() -> RecordDraft {
             ("scale_m".into(), Param::Text("1.25".into())),
             ("refined".into(), Param::Bool(true)),
         ]),
-        tool: Tool { name: "orb".into(), version: "0.1.0".into(), ..Tool::default() },
+        tool: Tool {
+            name: "orb".into(),
+            version: "0.1.0".into(),
+            git_commit: Some("0a".repeat(20)),
+            dirty: Some(false),
+            binary_sha256: Some(sha256_hex(b"orb")),
+            ..Tool::default()
+        },
         handling: Marking::UNCLASSIFIED.into(),
         notes: None,
     }
@@ -77,8 +89,13 @@ fn a_sealed_record_reads_back() {
         r#""container":"podman","host_id":""#,
         r#""boot_id":"bfbaf76d-3eb4-472a-b7e1-82de74e141d9""#,
         r#""monotonic_ms":5000000"#,
-        r#""source":{"command":"orb geo","cwd_rel":"vans","interface":"cli","request_id":"01234567-89ab-8def-8123-456789abcdef"}"#,
-        r#""schema_minor":4"#,
+        r#""source":{"argv_redacted":["orb","geo","--seed","7"],"command":"orb geo","cwd_rel":"vans","interface":"cli","request_id":"01234567-89ab-8def-8123-456789abcdef"}"#,
+        r#""hostname":"unit-7""#,
+        r#""display":"Jane Doe""#,
+        r#""role":"modeller""#,
+        r#""retention_hint":"P6Y""#,
+        r#""dirty":false"#,
+        r#""schema_minor":5"#,
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }
@@ -220,6 +237,9 @@ fn values_that_a_record_cannot_hold() {
     let mut d = draft();
     d.notes = Some("two\nlines".into());
     assert_eq!(sealed(&d).unwrap_err().kind, Kind::Usage);
+    let mut d = draft();
+    d.invocation.role = Some("x".repeat(257));
+    assert_eq!(sealed(&d).unwrap_err().kind, Kind::Usage);
     assert_eq!(input("a\nb.jpg", b"", "", "", None).name, "a\u{fffd}b.jpg");
 }
 
@@ -231,7 +251,7 @@ fn unknown_and_repeated_fields_are_refused() {
         ("\"seed\":7", "\"seed\":7,\"seed\":8"),
         ("\"seed\":7", "\"seed\":7.0"),
         ("\"seed\":7", "\"seed\":null"),
-        ("\"schema_minor\":4", "\"schema_minor\":-1"),
+        ("\"schema_minor\":5", "\"schema_minor\":-1"),
         ("\"outcome\":\"success\"", "\"outcome\":\"maybe\""),
         ("\"seq\":0", "\"seq\":\"0\""),
         ("T01:29:42.120Z", "T01:29:42Z"),
@@ -239,6 +259,11 @@ fn unknown_and_repeated_fields_are_refused() {
         ("\"size\":\"3\"", "\"size\":\"03\""),
         ("\"cwd_rel\":\"vans\"", "\"cwd_rel\":\"/home/jane/vans\""),
         ("\"cwd_rel\":\"vans\"", "\"cwd_rel\":\"C:/vans\""),
+        ("\"--seed\"", "\"/home/jane/van.jpg\""),
+        ("\"--seed\"", "\"C:/van.jpg\""),
+        ("\"dirty\":false", "\"dirty\":\"no\""),
+        ("\"git_commit\":\"", "\"git_commit\":\"main"),
+        ("\"binary_sha256\":\"", "\"binary_sha256\":\"0"),
         ("\"boot_id\":\"bf", "\"boot_id\":\"BF"),
         (",\"monotonic_ms\":5000000", ""),
         ("\"monotonic_ms\":5000000", "\"monotonic_ms\":-1"),
@@ -269,11 +294,14 @@ fn records_of_older_minor_versions() {
         ("time", &["boot_id", "monotonic_ms"][..]),
         ("where", &["host_id", "container"]),
         ("source", &["cwd_rel", "request_id"]),
+        ("actor", &["display", "role"]),
+        ("tool", &["dirty"]),
     ] {
         for name in names {
             assert!(p[of].as_object_mut().unwrap().remove(*name).is_some(), "{name}");
         }
     }
+    assert!(p.as_object_mut().unwrap().remove("retention_hint").is_some());
     let (old, _) = Statement::parse(&canonical::to_vec(&value).unwrap()).unwrap();
     assert_eq!((old.predicate.schema_minor, old.predicate.time.boot_id), (0, None));
     let schema: serde_json::Value = serde_json::from_str(crate::audit::statement::RECORD_SCHEMA).unwrap();

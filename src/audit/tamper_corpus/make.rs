@@ -8,7 +8,7 @@ use serde_json::json;
 use super::folders::{FOLDERS, PHOTO, TRUSTED, VERIFIED_OTHERWISE, signed_under_certificates};
 use super::ledgers::{Keeps, LEDGERS};
 use super::{Case, Kind, corpus};
-use super::{clocks, suites};
+use super::{clocks, fields, suites};
 use crate::audit::dsse::PAYLOAD_TYPE;
 use crate::audit::keys::tests::{other_key, shared_key};
 use crate::audit::keys::{Bits, KeySource, SigningKey};
@@ -126,6 +126,7 @@ fn make_the_tamper_corpus() {
     cases.push(case("deleted", Kind::Ledger, kept, &TRUSTED, &["kept.dsse.json"], &[], &["TRUNCATED"], 1));
     cases.push(case("deleted-unseen", Kind::Ledger, deleted, &TRUSTED, &[], &[], &["RECORD_MISSING"], 3));
     clocks::make(&root, &mut cases);
+    fields::make(&root, &mut cases);
     suites::make(&root, &mut cases);
     write_cases(&root, &cases);
     assert_eq!(PAYLOAD_TYPE, "application/vnd.in-toto+json");

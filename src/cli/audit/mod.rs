@@ -83,6 +83,9 @@ pub struct VerifyArgs {
     /// times)
     #[arg(long, value_name = "FILE|FOLDER")]
     pub weights: Vec<PathBuf>,
+    /// Also check that the result was made by this program: an orb, as a file
+    #[arg(long, value_name = "FILE")]
+    pub program: Option<PathBuf>,
     /// Also check the files merged into this CDB store
     #[arg(long, value_name = "FOLDER")]
     pub store: Option<PathBuf>,
@@ -182,6 +185,7 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
     let report = verify::verify(&Request {
         inputs: &args.input,
         weights: &args.weights,
+        program: args.program.as_deref(),
         store: args.store.as_deref(),
         strict: args.strict,
         policy: Policy {
@@ -229,7 +233,7 @@ pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
     }
     let mut text = String::from("Recorded, always:\n");
     for kind in events::EVENT_TYPES {
-        text.push_str(&format!("  {:<16} {}; {}\n", kind.name, kind.when, kind.why));
+        text.push_str(&format!("  {:<18} {}; {}\n", kind.name, kind.when, kind.why));
     }
     let ledger = data.path().join("ledger/orb-ledger.jsonl");
     if ledger.is_file() {

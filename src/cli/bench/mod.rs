@@ -63,10 +63,10 @@ pub fn run(args: &BenchArgs, stop: &AtomicBool) -> Result<u8> {
         let bar = Bar::new(stop, quiet);
         let done = measure(&bar);
         bar.finish();
-        done.map(|text| print!("{text}"))
+        done.map(|text| crate::cli::write_out(&text))
     };
     match &args.verb {
-        None => print!("{}", list::run(args.json)),
+        None => crate::cli::write_out(&list::run(args.json)),
         Some(BenchVerb::Run(args)) => return run::publish(args, stop),
         Some(BenchVerb::Make(args)) => return make::publish(args, stop),
         Some(BenchVerb::Speed(args)) => measured(false, &mut |bar| speed::run(args, bar, &mut say))?,

@@ -172,10 +172,10 @@ pub fn publish(args: &Run, stop: &AtomicBool) -> Result<u8> {
         })?;
     }
     match (args.json, args.csv) {
-        (true, _) => print!("{json}"),
-        (_, true) => print!("{}", report::csv(&told)),
+        (true, _) => crate::cli::write_out(&json),
+        (_, true) => crate::cli::write_out(&report::csv(&told)),
         _ => {
-            print!("{}", report::table(&told));
+            crate::cli::write_out(&report::table(&told));
             if let Some(output) = &args.output {
                 println!("report       {}", output.join("report.html").display());
             }

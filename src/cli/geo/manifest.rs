@@ -76,13 +76,13 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
             End::Done => {
                 done += 1;
                 if !args.publish.quiet && !args.json {
-                    println!("line {:<7} {label}: published", line.number);
+                    crate::cli::write_out(&format!("line {:<7} {label}: published\n", line.number));
                 }
             }
             End::Already => {
                 already += 1;
                 if !args.publish.quiet && !args.json {
-                    println!("line {:<7} {label}: published already", line.number);
+                    crate::cli::write_out(&format!("line {:<7} {label}: published already\n", line.number));
                 }
             }
             End::Failed(e) if e.kind == Kind::Cancelled => {
@@ -102,9 +102,9 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
     );
     if args.json {
         let object = serde_json::json!({"lines": lines.len(), "published": done, "already": already, "failed": failed});
-        println!("{object}");
+        crate::cli::write_out(&format!("{object}\n"));
     } else if !args.publish.quiet {
-        println!("{summary}");
+        crate::cli::write_out(&format!("{summary}\n"));
     }
     Ok(if failed.is_empty() { 0 } else { Kind::Incomplete.exit_code() })
 }
