@@ -99,7 +99,7 @@ mod tests {
                 "geo",
                 "[...]",
                 "--output",
-                "out",
+                "[...]",
                 "--seed",
                 "7",
                 "--format",

@@ -93,7 +93,12 @@ fn finding(topic: &'static str, state: State, found: impl Into<String>, advice: 
 fn version() -> Finding {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let (os, arch, version) = (std::env::consts::OS, std::env::consts::ARCH, env!("CARGO_PKG_VERSION"));
-    finding("orb", State::Good, format!("{version} on {arch}-{os}, {threads} threads"), "")
+    finding(
+        "orb",
+        State::Good,
+        format!("{version}, commit {}, on {arch}-{os}, {threads} threads", env!("ORB_BUILD_COMMIT")),
+        "",
+    )
 }
 
 fn gpu(data: &DataFolder) -> Vec<Finding> {
