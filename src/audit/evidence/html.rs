@@ -9,8 +9,8 @@ body{font:15px/1.45 system-ui,sans-serif;color:#111;background:#fff;max-width:75
 .banner{position:fixed;left:0;right:0;text-align:center;font-weight:700;letter-spacing:.06em;background:#111;color:#fff;\
 padding:.35em}.top{top:0}.bottom{bottom:0}h1{font-size:1.6em}h2{font-size:1.15em;border-bottom:1px solid #999;margin-top:2em}\
 table{border-collapse:collapse;width:100%;font-size:.88em}th,td{border:1px solid #bbb;padding:.3em .5em;text-align:left;\
-vertical-align:top;overflow-wrap:anywhere}td.code{overflow-wrap:normal;white-space:nowrap}th{background:#eee;white-space:nowrap}pre{background:#f4f4f4;padding:1em;overflow:auto;font-size:.8em}\
-@media print{body{max-width:none}pre{white-space:pre-wrap}tr{break-inside:avoid}}";
+vertical-align:top;overflow-wrap:anywhere}td.code{overflow-wrap:normal;white-space:nowrap}th{background:#eee;white-space:nowrap}pre{background:#f4f4f4;padding:1em;font-size:.8em;white-space:pre-wrap;overflow-wrap:anywhere}\
+@media print{body{max-width:none}tr{break-inside:avoid}}";
 
 pub(super) fn render(document: &Document) -> String {
     let banner = escaped(&document.banner);

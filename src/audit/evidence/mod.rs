@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::by_hand;
 use super::report::{Finding, Report, Severity, Verdict};
-use super::statement::{Actor, Input, Model, Statement};
+use super::statement::{Actor, Input, Model, Statement, Tool};
 use super::time::{self, Source, SyncStatus};
 use crate::Result;
 
@@ -334,26 +334,29 @@ fn places(records: &[Statement]) -> Section {
 
 /// What made the records.
 fn programs(records: &[Statement]) -> Section {
-    let mut rows: Vec<Vec<String>> = records
-        .iter()
-        .map(|Statement { predicate: p, .. }| {
-            let t = &p.tool;
-            let text = |t: &Option<String>| t.clone().unwrap_or("not recorded".into());
-            let changed = if t.dirty == Some(true) { ", changed since" } else { "" };
-            vec![
-                format!("{} {}", t.name, t.version),
-                format!("{}{changed}", text(&t.git_commit)),
-                format!("{}, {}", text(&t.rustc), text(&t.target)),
-                t.features.as_ref().map_or("not recorded".into(), |f| f.join(", ")),
-                text(&t.binary_sha256),
-                text(&t.sbom_sha256),
-            ]
-        })
-        .collect();
-    rows.sort();
-    rows.dedup();
-    let head = vec!["Program", "Source", "Compiler, target", "Features", "Program's SHA-256", "SBOM's SHA-256"];
-    table("Programs", head, rows)
+    let mut tools: Vec<&Tool> = Vec::new();
+    for Statement { predicate: p, .. } in records {
+        if !tools.contains(&&p.tool) {
+            tools.push(&p.tool);
+        }
+    }
+    let mut rows = Vec::new();
+    for t in tools {
+        let changed = if t.dirty == Some(true) { ", changed since" } else { "" };
+        let lines = [
+            ("Source's commit", t.git_commit.as_ref().map(|c| format!("{c}{changed}"))),
+            ("Compiler", t.rustc.clone()),
+            ("Target", t.target.clone()),
+            ("Features", t.features.as_ref().map(|f| f.join(", "))),
+            ("SHA-256 of the program", t.binary_sha256.clone()),
+            ("SHA-256 of its SBOM", t.sbom_sha256.clone()),
+        ];
+        let program = format!("{} {}", t.name, t.version);
+        rows.extend(
+            lines.map(|(name, value)| vec![program.clone(), name.into(), value.unwrap_or("not recorded".into())]),
+        );
+    }
+    table("Programs", vec!["Program", "Line", "Value"], rows)
 }
 
 /// What the operator or the organisation said of a record, and nobody vouches for.

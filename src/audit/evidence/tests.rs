@@ -28,7 +28,18 @@ fn a_page_with_everything_and_nothing_from_elsewhere() {
         |evidence| {
             let html = to_html(evidence).unwrap();
             assert_eq!(html.matches("UNCLASSIFIED</div>").count(), 2);
-            for word in ["PASS", "Controls", "AU-10", "van.jpg", "scene.ply", "openssl dgst -sha256 -verify", "RS256"] {
+            for word in [
+                "PASS",
+                "Controls",
+                "AU-10",
+                "van.jpg",
+                "scene.ply",
+                "openssl dgst -sha256 -verify",
+                "RS256",
+                "Programs",
+                "Jane Doe",
+                "P6Y",
+            ] {
                 assert!(html.contains(word), "{word}");
             }
             let trail_hash = evidence.report.trail_hash.as_ref().unwrap();
