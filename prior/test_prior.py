@@ -65,7 +65,8 @@ def test_bounding_boxes_fit():
     eye = torch.tensor([[80.0, 0, 0]]).expand(len(made), 3)
     cameras = pack(*look_at(eye), torch.full((len(made),), 0.03), 160, subject_only=True)
     surroundings = environments(len(made), torch.full((len(made),), -1e3), "cpu")
-    _, alpha, _, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 1)
+    # Sixteen rays a pixel: spires are thin.
+    _, alpha, _, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 4)
     rows = [torch.where(a.amax(1) > 0)[0] for a in alpha]
     unit = 80 * 2 * np.tan(0.015) / 160
     bottom = np.array([80 - (r.max().item() + 1) for r in rows]) * unit

@@ -17,6 +17,7 @@ from .kit import Kit, turn
 from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
+from .plain import articulated, container, light_plane, pickup, plain_house
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .vehicles import bike, bus, car, tank, truck
@@ -68,6 +69,11 @@ MAKERS = [
     (fence, 2),
     (street_furniture, 6),
     (store, 5),
+    (container, 12),
+    (plain_house, 10),
+    (articulated, 6),
+    (pickup, 9),
+    (light_plane, 9),
     (plant_hall, 3),
     (plant, 2),
     (leafy, 4),

@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.4",
-    sha256: "d96c8424c3ee018bf7eb1247f4f06cbd44ae91ee09947368cb406c5042ee6bef",
+    version: "0.5",
+    sha256: "40cdc08389a99ed1d755798ff895e39a9ce5208061fcfc82469378e0142f900d",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

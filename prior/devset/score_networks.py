@@ -1,0 +1,125 @@
+"""Score both networks alone, nothing after them: the figures of the README's tables.
+
+    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS        # networks: .onnx, or .pt of a training
+
+DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks of PHOTOS are those in `real/masks`. Prints
+
+* masks: the intersection over union of SceneNet's with the true ones, mean and median, for the real photographs, the plain
+  and the outdoor ones (`evaluate.look`: the larger of two fits);
+* elevations: mean and median error in degrees of SceneNet, of SplatNet and of both joined (`evaluate.joined`), own masks;
+* shapes: SplatNet on plain photos with true masks, every fourth view of 24, on white: silhouette IoU and PSNR in its own
+  unit, then at the best of the scales in `SCALES` (no photo shows the unit when the bounding box lies askew), PSNR of the
+  views within 60 degrees of the photo at that scale, and the error of its elevation.
+"""
+
+import argparse
+import json
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+import torch
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent))
+
+import evaluate
+from nets import SceneNet, SplatNet
+
+SCALES = (1.0, 0.94, 1.07, 1.15)
+EVERY = 4  # of the 24 views
+
+
+def photo_of(folder, kind):
+    return evaluate.picture(folder / f"photo_{kind}.jpg", "RGB", evaluate.PHOTO)
+
+
+def summary(values):
+    return f"{np.mean(values):.3f} ({np.median(values):.3f})"
+
+
+def named(rows):
+    return " ".join(f"{name} {value}" for name, value in rows)
+
+
+def score_real(scene, photos):
+    scores = {}
+    for path in sorted((HERE / "real/masks").glob("*.png")):
+        mask, _ = evaluate.look(scene, evaluate.picture(photos / f"{path.stem}.jpg", "RGB", evaluate.PHOTO))
+        scores[path.stem] = evaluate.mask_iou(mask, evaluate.picture(path, "RGB", evaluate.PHOTO)[0])
+    print("masks, real:", summary(list(scores.values())))
+    print("   ", named((k, f"{v:.2f}") for k, v in scores.items()), flush=True)
+
+
+@torch.no_grad()
+def score_photos(scene, splat, objects, kind):
+    """Masks and elevations of the photos of one kind, with the networks' own masks."""
+    masks, errors = {}, {}
+    for folder, cameras in objects:
+        photo = photo_of(folder, kind)
+        mask, seen = evaluate.look(scene, photo)
+        masks[folder.name] = evaluate.mask_iou(mask, evaluate.true_mask(folder / "mask.png"))
+        lifted = splat(evaluate.crop(photo, mask))["elevation"]
+        said = (seen[:, 0].mean(), lifted[0, 0], evaluate.joined(seen, lifted))
+        truth = cameras["views"][0]["elevation_deg"]
+        errors[folder.name] = [abs(math.degrees(e.item()) - truth) for e in said]
+    print(f"masks, {kind}:", summary(list(masks.values())))
+    print("   ", named((k, f"{v:.2f}") for k, v in masks.items()))
+    by_network = zip(("SceneNet", "SplatNet", "joined"), np.array(list(errors.values())).T, strict=True)
+    print(f"elevation error, {kind}, degrees:", ", ".join(f"{n} {summary(e)}" for n, e in by_network))
+    print("   ", named((k, "/".join(f"{e:.0f}" for e in v)) for k, v in errors.items()), flush=True)
+
+
+def scaled(splats, by):
+    """The answer, larger about the subject's centre."""
+    centre = torch.tensor([0, 0, SplatNet.DIST], device=splats["pos"].device)
+    return splats | {"pos": (splats["pos"] - centre) * by + centre, "scale": splats["scale"] * by}
+
+
+@torch.no_grad()
+def score_shape(splat, folder, cameras):
+    """[IoU, PSNR in its own unit, best scale, IoU, PSNR, PSNR of near views there, error of elevation] of one object."""
+    views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
+    truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
+    colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
+    answer = splat(evaluate.crop(photo_of(folder, "plain"), evaluate.true_mask(folder / "mask.png")))
+    elevation = answer["elevation"][0, 0]
+    azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
+    scores = {}
+    for by in SCALES:
+        drawn = evaluate.rendered(scaled(answer, by), elevation, azimuth, size, views)
+        scores[by] = evaluate.view_scores(*drawn, colour, alpha, views)
+    best = max(SCALES, key=lambda by: scores[by]["iou"])
+    off = abs(math.degrees(elevation.item()) - cameras["views"][0]["elevation_deg"])
+    own = [scores[1.0][k] for k in ("iou", "psnr")]
+    return [*own, best, *(scores[best][k] for k in ("iou", "psnr", "psnr_near")), off]
+
+
+def score_shapes(splat, objects):
+    rows = []
+    print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; elevation error")
+    for folder, cameras in objects:
+        rows.append(score_shape(splat, folder, cameras))
+        print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
+    print("shapes, mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene")
+    parser.add_argument("splat")
+    parser.add_argument("devset", type=Path)
+    parser.add_argument("photos", type=Path)
+    args = parser.parse_args()
+    scene = evaluate.load(SceneNet(), args.scene)
+    splat = evaluate.load(SplatNet(), args.splat)
+    objects = [(p.parent, json.loads(p.read_text())) for p in sorted(args.devset.glob("*/cameras.json"))]
+    score_real(scene, args.photos)
+    for kind in ("plain", "outdoor"):
+        score_photos(scene, splat, objects, kind)
+    score_shapes(splat, objects)
+
+
+if __name__ == "__main__":
+    main()
