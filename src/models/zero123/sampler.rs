@@ -36,8 +36,9 @@ impl Default for Settings {
 /// Six views on grey, 640 × 960, of the subject in a square picture on grey (127); or, led by such a tile, the normals of its
 /// views as [`crate::views::tile::normals`] reads them: the same sampler, with the ControlNet beside the UNet.
 ///
-/// `open` loads a graph when its turn comes; each is gone before the next but the two halves of the UNet and the ControlNet, which
-/// take turns every step.
+/// `open` loads a graph when its turn comes; each is gone before the next, but the ControlNet, which stands beside the reading half of
+/// the UNet. What the writing half says does not depend on the views: it is asked for several steps ahead, so that the two
+/// halves are never loaded together.
 ///
 /// # Errors
 /// Environment for a graph that does not do what its contract says, `Cancelled`.
@@ -59,51 +60,72 @@ pub fn six_views(
         (condition::latents(picture, &*encoder, &mut random)?, condition::grey_latents(&*encoder, &mut random)?)
     };
     progress.check()?;
-    let latents = {
-        let control = match led_by {
-            Some(tile) => Some(Control { graph: open(Role::ControlNet)?, picture: condition::between_ones(tile)? }),
-            None => None,
-        };
-        let unet = Unet::new(open(Role::UnetWrite)?, open(Role::UnetRead)?, control)?;
-        let branches = [Condition { text: without, latents: grey }, Condition { text: with, latents: seen }];
-        denoise(&unet, &branches, settings, &mut random, progress)?
-    };
+    let led_by = led_by.map(condition::between_ones).transpose()?;
+    let branches = [Condition { text: without, latents: grey }, Condition { text: with, latents: seen }];
+    let latents = denoise(open, led_by.as_ref(), &branches, settings, &mut random, progress)?;
     let decoder = open(Role::VaeDecoder)?;
     decode(latents, &*decoder)
 }
 
-/// The two halves of the UNet.
-struct Unet {
-    /// Photo's latents → the inputs of its sixteen self-attentions.
-    write: Box<dyn Graph>,
-    /// Noisy tile and those inputs → v.
+/// Steps that the writing half of the UNet is ahead of the reading one at most. What it says fills 92 MB a step.
+const STEPS_AHEAD: usize = 16;
+/// What both branches of a step count in the progress, written and read: 0.8 and 2.6 TFLOP each.
+const SHARES: [u64; 2] = [1, 3];
+
+/// One step, all of its noise drawn.
+struct Step {
+    timestep: Tensor,
+    sigma: f32,
+    next: f32,
+    /// Both branches' latents of the photo, as noisy as the sample.
+    conditions: [Tensor; 2],
+    noise: Vec<f32>,
+}
+
+/// Inputs of the UNet by name.
+type Features = Vec<(String, Tensor)>;
+
+/// The writing half of the UNet: the photo's noisy latents → the inputs of its sixteen self-attentions.
+fn written(write: &dyn Graph, condition: &Tensor, text: &Tensor, timestep: &Tensor) -> Result<Features> {
+    let written = write.run(&[("cond_sample", condition), ("timestep", timestep), ("encoder_hidden_states", text)])?;
+    match (0..REFERENCES.len()).map(reference_name).find(|name| !written.iter().any(|(n, _)| n == name)) {
+        Some(name) => {
+            Err(Error::environment("the UNet's writing half").expected(format!("an output {name}")).found("none"))
+        }
+        None => Ok(written),
+    }
+}
+
+/// The reading half of the UNet, with the ControlNet where there is one.
+struct Reading<'a> {
+    /// Noisy tile and what was written → v.
     read: Box<dyn Graph>,
-    control: Option<Control>,
-    /// What the reading half adds to its own features where no ControlNet says more; none where it takes nothing.
-    nothing: Vec<(String, Tensor)>,
+    control: Option<Control<'a>>,
+    /// What it adds to its own features where no ControlNet says more; none where it takes nothing.
+    nothing: Features,
 }
 
 /// A second network beside the UNet's way down that looks at a picture.
-struct Control {
+struct Control<'a> {
     /// Noisy tile and picture → what is added to the UNet's features.
     graph: Box<dyn Graph>,
     /// [1, 3, 960, 640], −1 to 1.
-    picture: Tensor,
+    picture: &'a Tensor,
 }
 
-impl Control {
-    fn added(&self, sample: &Tensor, text: &Tensor, timestep: &Tensor) -> Result<Vec<(String, Tensor)>> {
+impl Control<'_> {
+    fn added(&self, sample: &Tensor, text: &Tensor, timestep: &Tensor) -> Result<Features> {
         self.graph.run(&[
             ("sample", sample),
             ("timestep", timestep),
             ("encoder_hidden_states", text),
-            ("control", &self.picture),
+            ("control", self.picture),
         ])
     }
 }
 
-impl Unet {
-    fn new(write: Box<dyn Graph>, read: Box<dyn Graph>, control: Option<Control>) -> Result<Unet> {
+impl<'a> Reading<'a> {
+    fn new(read: Box<dyn Graph>, control: Option<Control<'a>>) -> Result<Reading<'a>> {
         let takes_control = read.inputs().iter().any(|p| p.name == control_name(0));
         let zeros = |(i, [c, h, w]): (usize, [usize; 3])| {
             Ok((control_name(i), Tensor::new(&[1, c, h, w], vec![0.0; c * h * w])?))
@@ -112,29 +134,18 @@ impl Unet {
             true => CONTROLS.into_iter().enumerate().map(zeros).collect::<Result<_>>()?,
             false => Vec::new(),
         };
-        Ok(Unet { write, read, control, nothing })
+        Ok(Reading { read, control, nothing })
     }
 
-    /// v of one branch. The condition carries the same noise level as the sample.
-    fn v(&self, sample: &Tensor, noisy_condition: Vec<f32>, text: &Tensor, timestep: &Tensor) -> Result<Vec<f32>> {
-        let condition = Tensor::new(&LATENT, noisy_condition)?;
-        let written =
-            self.write.run(&[("cond_sample", &condition), ("timestep", timestep), ("encoder_hidden_states", text)])?;
-        let mut fed: Vec<(String, &Tensor)> =
-            vec![("sample".into(), sample), ("timestep".into(), timestep), ("encoder_hidden_states".into(), text)];
-        for i in 0..REFERENCES.len() {
-            let name = reference_name(i);
-            let tensor = written.iter().find(|(n, _)| *n == name).map(|(_, t)| t).ok_or_else(|| {
-                Error::environment("the UNet's writing half").expected(format!("an output {name}")).found("none")
-            })?;
-            fed.push((name, tensor));
-        }
+    /// v of one branch.
+    fn v(&self, sample: &Tensor, references: &Features, text: &Tensor, timestep: &Tensor) -> Result<Vec<f32>> {
         let led = match &self.control {
             Some(control) => control.added(sample, text, timestep)?,
             None => Vec::new(),
         };
-        fed.extend(led.iter().chain(&self.nothing).map(|(name, tensor)| (name.clone(), tensor)));
-        let fed: Vec<(&str, &Tensor)> = fed.iter().map(|(n, t)| (n.as_str(), *t)).collect();
+        let mut fed: Vec<(&str, &Tensor)> =
+            vec![("sample", sample), ("timestep", timestep), ("encoder_hidden_states", text)];
+        fed.extend(references.iter().chain(&led).chain(&self.nothing).map(|(n, t)| (n.as_str(), t)));
         let mut out = self.read.run(&fed)?;
         take(&mut out, "v_prediction", SAMPLE.iter().product())
     }
@@ -142,7 +153,8 @@ impl Unet {
 
 /// Branches: without the photo, with it.
 fn denoise(
-    unet: &Unet,
+    open: &mut dyn FnMut(Role) -> Result<Box<dyn Graph>>,
+    led_by: Option<&Tensor>,
     branches: &[Condition; 2],
     settings: &Settings,
     random: &mut Random,
@@ -151,23 +163,53 @@ fn denoise(
     let schedule = scheduler::Schedule::new(settings.steps);
     let count: usize = SAMPLE.iter().product();
     let mut x: Vec<f32> = (0..count).map(|_| schedule.first_sigma() * random.normal()).collect();
-    let what = if unet.control.is_some() { "normals, by diffusion" } else { "six views, by diffusion" };
-    progress.begin(what, settings.steps as u64);
-    for (i, (&time, sigmas)) in schedule.timesteps.iter().zip(schedule.sigmas.windows(2)).enumerate() {
+    // The noise of a step's conditions comes before its own.
+    let mut step = |(&time, sigmas): (&f32, &[f32])| {
         let [sigma, next] = [sigmas[0], sigmas[1]];
-        let sample = Tensor::new(&SAMPLE, scheduler::scaled(&x, sigma))?;
-        let timestep = Tensor::new(&[1], vec![time])?;
-        let mut v = Vec::with_capacity(2);
-        for branch in branches {
-            progress.check()?;
+        let mut condition = |branch: &Condition| {
             let noise: Vec<f32> = branch.latents.iter().map(|_| random.normal()).collect();
-            let condition = scheduler::noised(&branch.latents, &noise, sigma);
-            v.push(unet.v(&sample, condition, &branch.text, &timestep)?);
+            Tensor::new(&LATENT, scheduler::noised(&branch.latents, &noise, sigma))
+        };
+        let conditions = [condition(&branches[0])?, condition(&branches[1])?];
+        let noise = (0..count).map(|_| random.normal()).collect();
+        Ok(Step { timestep: Tensor::new(&[1], vec![time])?, sigma, next, conditions, noise })
+    };
+    let steps: Vec<Step> =
+        schedule.timesteps.iter().zip(schedule.sigmas.windows(2)).map(&mut step).collect::<Result<_>>()?;
+
+    let what = if led_by.is_some() { "normals, by diffusion" } else { "six views, by diffusion" };
+    progress.begin(what, SHARES.iter().sum::<u64>() * steps.len() as u64);
+    let mut done = 0;
+    let batches = steps.len().div_ceil(STEPS_AHEAD).max(1);
+    for batch in steps.chunks(steps.len().div_ceil(batches).max(1)) {
+        let mut references: Vec<[Features; 2]> = Vec::with_capacity(batch.len());
+        {
+            let write = open(Role::UnetWrite)?;
+            for step in batch {
+                progress.check()?;
+                let of = |i: usize| written(&*write, &step.conditions[i], &branches[i].text, &step.timestep);
+                references.push([of(0)?, of(1)?]);
+                done += SHARES[0];
+                progress.step(done);
+            }
         }
-        let v = scheduler::guided(&v[0], &v[1], settings.guidance);
-        let noise: Vec<f32> = (0..count).map(|_| random.normal()).collect();
-        scheduler::step(&mut x, &v, &noise, sigma, next);
-        progress.step(i as u64 + 1);
+        let control = match led_by {
+            Some(picture) => Some(Control { graph: open(Role::ControlNet)?, picture }),
+            None => None,
+        };
+        let reading = Reading::new(open(Role::UnetRead)?, control)?;
+        for (step, references) in batch.iter().zip(references) {
+            let sample = Tensor::new(&SAMPLE, scheduler::scaled(&x, step.sigma))?;
+            let mut v = Vec::with_capacity(2);
+            for (branch, references) in branches.iter().zip(&references) {
+                progress.check()?;
+                v.push(reading.v(&sample, references, &branch.text, &step.timestep)?);
+            }
+            let v = scheduler::guided(&v[0], &v[1], settings.guidance);
+            scheduler::step(&mut x, &v, &step.noise, step.sigma, step.next);
+            done += SHARES[1];
+            progress.step(done);
+        }
     }
     Ok(x)
 }
@@ -190,6 +232,9 @@ fn decode(latents: Vec<f32>, decoder: &dyn Graph) -> Result<RgbImage> {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
     use super::*;
     use crate::models::registry::tests::stub;
     use crate::models::{Engine as _, Rten};
@@ -220,8 +265,9 @@ mod tests {
     }
 
     /// v = sample / 2 + 0.001 · (mean text + time + Σ mean refs), as the reading stub computes; refs carry what was written.
-    struct Reading(std::cell::RefCell<Vec<(f32, f32, f32)>>);
-    impl Graph for Reading {
+    #[derive(Default)]
+    struct Listening(RefCell<Vec<(f32, f32, f32)>>);
+    impl Graph for Rc<Listening> {
         fn inputs(&self) -> Vec<Port> {
             vec![]
         }
@@ -257,22 +303,28 @@ mod tests {
         }
     }
 
+    /// With the same noise and guidance 3 between those two: v = 0.25 + 3 · 0.75 = 2.5 everywhere.
+    fn by_hand(steps: usize, seed: u64) -> Vec<f32> {
+        let mut random = Random::new(seed);
+        let total: usize = SAMPLE.iter().product();
+        let schedule = scheduler::Schedule::new(steps);
+        let mut x: Vec<f32> = (0..total).map(|_| schedule.first_sigma() * random.normal()).collect();
+        for s in schedule.sigmas.windows(2) {
+            for _ in 0..2 * LATENT.iter().product::<usize>() {
+                random.normal();
+            }
+            let noise: Vec<f32> = (0..total).map(|_| random.normal()).collect();
+            scheduler::step(&mut x, &vec![2.5; total], &noise, s[0], s[1]);
+        }
+        x
+    }
+
     #[test]
     fn both_branches_read_their_own_references_and_guidance_mixes_them() {
-        let reading = std::rc::Rc::new(Reading(Default::default()));
-        struct Shared(std::rc::Rc<Reading>);
-        impl Graph for Shared {
-            fn inputs(&self) -> Vec<Port> {
-                vec![]
-            }
-            fn outputs(&self) -> Vec<Port> {
-                vec![]
-            }
-            fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
-                self.0.run(inputs)
-            }
-        }
-        let unet = Unet::new(Box::new(Writing), Box::new(Shared(reading.clone())), None).unwrap();
+        let reading = Rc::new(Listening::default());
+        let mut open = |role| -> Result<Box<dyn Graph>> {
+            Ok(if role == Role::UnetWrite { Box::new(Writing) } else { Box::new(reading.clone()) })
+        };
         let count: usize = LATENT.iter().product();
         let branch = |text: f32, latent: f32| Condition {
             text: Tensor::new(&[1, 1, 1], vec![text]).unwrap(),
@@ -280,25 +332,14 @@ mod tests {
         };
         let settings = Settings { steps: 2, guidance: 3.0, seed: 5 };
         let made =
-            denoise(&unet, &[branch(1.0, 0.0), branch(2.0, 100.0)], &settings, &mut Random::new(5), &Silent).unwrap();
+            denoise(&mut open, None, &[branch(1.0, 0.0), branch(2.0, 100.0)], &settings, &mut Random::new(5), &Silent)
+                .unwrap();
         let seen = reading.0.borrow();
         let order: Vec<(f32, f32)> = seen.iter().map(|s| (s.0, s.1)).collect();
         assert_eq!(order, [(999.0, 1.0), (999.0, 2.0), (499.0, 1.0), (499.0, 2.0)]);
         // At the least noise the condition shines through: 100 against 0, both with noise of deviation < 1.
         assert!(seen[3].2 > 10.0 && seen[2].2.abs() < 5.0, "{seen:?}");
-        // By hand, with the same noise: v = 0.25 + 3 · 0.75 = 2.5 everywhere.
-        let mut random = Random::new(5);
-        let total: usize = SAMPLE.iter().product();
-        let schedule = scheduler::Schedule::new(2);
-        let mut x: Vec<f32> = (0..total).map(|_| schedule.first_sigma() * random.normal()).collect();
-        for s in schedule.sigmas.windows(2) {
-            for _ in 0..2 * count {
-                random.normal();
-            }
-            let noise: Vec<f32> = (0..total).map(|_| random.normal()).collect();
-            scheduler::step(&mut x, &vec![2.5; total], &noise, s[0], s[1]);
-        }
-        assert_eq!(made, x);
+        assert!(made == by_hand(2, 5));
     }
 
     /// The stubs: v = … + 0.01 · Σ mean control_i, and each of the thirteen controls carries the mean of its picture.
@@ -312,12 +353,13 @@ mod tests {
         let text = Tensor::new(&[1, 77, 1024], vec![0.0; 77 * 1024]).unwrap();
         let v = |control: Option<u8>| {
             let picture = |level| condition::between_ones(&RgbImage::from_pixel(TILE.0, TILE.1, Rgb([level; 3])));
-            let control =
-                control.map(|l| Control { graph: open(Role::ControlNet).unwrap(), picture: picture(l).unwrap() });
-            let unet =
-                Unet::new(controlled(Role::UnetWrite).unwrap(), controlled(Role::UnetRead).unwrap(), control).unwrap();
+            let picture = control.map(|l| picture(l).unwrap());
+            let control = picture.as_ref().map(|p| Control { graph: open(Role::ControlNet).unwrap(), picture: p });
+            let reading = Reading::new(controlled(Role::UnetRead).unwrap(), control).unwrap();
             let sample = Tensor::new(&SAMPLE, vec![0.0; SAMPLE.iter().product()]).unwrap();
-            unet.v(&sample, vec![0.0; LATENT.iter().product()], &text, &time).unwrap()[0]
+            let condition = Tensor::new(&LATENT, vec![0.0; LATENT.iter().product()]).unwrap();
+            let references = written(&*controlled(Role::UnetWrite).unwrap(), &condition, &text, &time).unwrap();
+            reading.v(&sample, &references, &text, &time).unwrap()[0]
         };
         let plain = v(None);
         // 0.001 · the time, once read and sixteen times written with nothing.
@@ -338,6 +380,70 @@ mod tests {
         };
         let white = RgbImage::from_pixel(TILE.0, TILE.1, Rgb([255; 3]));
         assert!(normals(&tile) != tile && normals(&tile) != normals(&white) && normals(&white) == normals(&white));
+    }
+
+    /// What `open` gave and what of it is still held.
+    #[derive(Default)]
+    struct Held {
+        opened: Vec<Role>,
+        now: Vec<Role>,
+    }
+
+    /// A graph that takes itself off the list when it goes.
+    struct Watched(Role, Box<dyn Graph>, Rc<RefCell<Held>>);
+    impl Graph for Watched {
+        fn inputs(&self) -> Vec<Port> {
+            self.1.inputs()
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.1.outputs()
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            self.1.run(inputs)
+        }
+    }
+    impl Drop for Watched {
+        fn drop(&mut self) {
+            self.2.borrow_mut().now.retain(|role| *role != self.0);
+        }
+    }
+
+    #[test]
+    fn one_graph_is_held_at_a_time_and_the_result_does_not_tell() {
+        let held = Rc::new(RefCell::new(Held::default()));
+        let reading = Rc::new(Listening::default());
+        let mut open = |role| -> Result<Box<dyn Graph>> {
+            let mut list = held.borrow_mut();
+            assert!(list.now.is_empty(), "{:?} beside {role:?}", list.now);
+            list.opened.push(role);
+            list.now.push(role);
+            let graph: Box<dyn Graph> =
+                if role == Role::UnetWrite { Box::new(Writing) } else { Box::new(reading.clone()) };
+            Ok(Box::new(Watched(role, graph, held.clone())))
+        };
+        let steps = STEPS_AHEAD + 1;
+        let branch = |text: f32| Condition {
+            text: Tensor::new(&[1, 1, 1], vec![text]).unwrap(),
+            latents: vec![0.0; LATENT.iter().product()],
+        };
+        let settings = Settings { steps, guidance: 3.0, seed: 5 };
+        let branches = [branch(1.0), branch(2.0)];
+        let made = denoise(&mut open, None, &branches, &settings, &mut Random::new(5), &Silent).unwrap();
+        assert_eq!(held.borrow().opened, [Role::UnetWrite, Role::UnetRead, Role::UnetWrite, Role::UnetRead]);
+        assert!(made == by_hand(steps, 5));
+        // What each step reads is what was written for it: noise of its own, at its own level.
+        let mut random = Random::new(5);
+        let schedule = scheduler::Schedule::new(steps);
+        let mut draw = |count: usize| (0..count).map(|_| random.normal()).collect::<Vec<f32>>();
+        draw(SAMPLE.iter().product());
+        let seen = reading.0.borrow();
+        for (i, sigma) in schedule.sigmas[..steps].iter().enumerate() {
+            for branch in 0..2 {
+                let noise = draw(LATENT.iter().product());
+                assert_eq!(seen[2 * i + branch].2, scheduler::noised(&[0.0], &noise[..1], *sigma)[0], "step {i}");
+            }
+            draw(SAMPLE.iter().product());
+        }
     }
 
     #[test]
