@@ -26,6 +26,12 @@ pub(super) fn probe(path: &Path) -> Option<u32> {
 /// Bytes of GPU memory that a session may take: with the largest of all, and what the driver keeps, a run stays below 8 GB.
 const GPU_MEMORY: usize = 6 << 30;
 
+/// An ONNX model: y = max(x, 0) of one number (IR version 8, operator set 17).
+const SMALLEST: &[u8] = b"\x08\x08\x3a\x33\x0a\x0c\x0a\x01x\x12\x01y\x22\x04Relu\x12\x01g\
+    \x5a\x0f\x0a\x01x\x12\x0a\x0a\x08\x08\x01\x12\x04\x0a\x02\x08\x01\
+    \x62\x0f\x0a\x01y\x12\x0a\x0a\x08\x08\x01\x12\x04\x0a\x02\x08\x01\
+    \x42\x02\x10\x11";
+
 /// An ONNX Runtime with a provider that works.
 pub struct Ort {
     environment: Environment,
@@ -68,7 +74,7 @@ impl Ort {
         let mut engine = Ort { environment, name: String::new(), provider, cache: cache.map(Path::to_owned) };
         if provider == Provider::Auto {
             engine.provider = Provider::Cuda;
-            if let Err(e) = engine.builder() {
+            if let Err(e) = engine.tried() {
                 if !e.found.contains("built without") {
                     say(&format!("CUDA is not used: {}", e.found));
                 }
@@ -76,7 +82,7 @@ impl Ort {
             }
         } else {
             // A provider that was asked for must work: found out now, not at the first network.
-            engine.builder()?;
+            engine.tried()?;
         }
         engine.name = format!("ONNX Runtime {minor} {}", engine.provider.name());
         say(&format!("{} ({}, {})", engine.name, found.origin, found.path.display()));
@@ -93,21 +99,32 @@ impl Ort {
                     provider,
                     cache: self.cache.clone(),
                 }
-                .builder();
+                .tried();
                 (provider.name(), tried.err().map(|e| e.found))
             })
             .into()
     }
 
+    /// Whether the provider computes: a library that was built with CUDA finds out that there is no GPU, or none that its kernels
+    /// run on, when it first loads and runs a graph.
+    fn tried(&self) -> Result<()> {
+        self.builder()?;
+        let one = Tensor::new(&[1], vec![1.0])?;
+        let run = self.load(SMALLEST).and_then(|graph| graph.run(&[("x", &one)]));
+        run.map(drop).map_err(|e| self.unusable(e.found))
+    }
+
+    fn unusable(&self, found: String) -> Error {
+        Error::environment(format!("ONNX Runtime's provider {}", self.provider.name()))
+            .expected("one that works on this machine")
+            .found(found)
+            .advice("Choose --provider cpu, or install the runtime's GPU build with the libraries it names.")
+    }
+
     /// Options of a session that runs a few times and goes: no memory kept for later, exact graph as in the file.
     fn builder(&self) -> Result<SessionBuilder> {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        let failed = |e: String| {
-            Error::environment(format!("ONNX Runtime's provider {}", self.provider.name()))
-                .expected("one that works on this machine")
-                .found(e)
-                .advice("Choose --provider cpu, or install the runtime's GPU build with the libraries it names.")
-        };
+        let failed = |e: String| self.unusable(e);
         let plain = |e: ort::Error<SessionBuilder>| failed(e.to_string());
         let builder = Session::builder(&self.environment)
             .map_err(|e| failed(e.to_string()))?
@@ -123,6 +140,9 @@ impl Ort {
             ep::CUDA::default()
                 .with_arena_extend_strategy(ep::ArenaExtendStrategy::SameAsRequested)
                 .with_memory_limit(GPU_MEMORY)
+                // The usual search times every algorithm there is, each with all the memory it likes, and may choose another in the
+                // next run.
+                .with_conv_algorithm_search(ep::cuda::ConvAlgorithmSearch::Heuristic)
                 // Ten bits of mantissa would put answers further from the CPU's than a thousandth.
                 .with_tf32(false)
         };
