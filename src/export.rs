@@ -258,17 +258,15 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: &Marking) -> R
     let finest = &r.model.levels[0];
     let draw =
         |level: &Level, camera: &Camera| mesh::raster(&level.mesh, Some(&level.texture), camera, [255, 255, 255], 2);
-    let turned = (0..6).map(|i| {
-        let azimuth = 60.0 * i as f32;
-        tile(draw(finest, &views::orbit(azimuth, 15.0, views::DISTANCE, 384)), &format!("model {azimuth}"))
-    });
-    let mut last = vec![
-        tile(draw(finest, &views::orbit(0.0, 89.0, views::DISTANCE, 384)), "from above"),
-        tile(draw(finest, &views::orbit(0.0, -60.0, views::DISTANCE, 384)), "from below"),
-    ];
+    const AROUND: [f32; 6] = [0.0, 60.0, 120.0, 180.0, 240.0, 300.0];
+    let directions: Vec<[f32; 2]> =
+        AROUND.iter().map(|a| [*a, 15.0]).chain([[0.0, 89.0], [0.0, -60.0], [30.0, 20.0]]).collect();
+    let cameras = views::framed(&finest.mesh.positions, &directions, 384);
+    let turned = AROUND.iter().zip(&cameras).map(|(a, camera)| tile(draw(finest, camera), &format!("model {a}")));
+    let mut last = vec![tile(draw(finest, &cameras[6]), "from above"), tile(draw(finest, &cameras[7]), "from below")];
     for level in &r.model.levels {
         let caption = format!("{} vertices", level.mesh.positions.len());
-        last.push(tile(draw(level, &views::orbit(30.0, 20.0, views::DISTANCE, 384)), &caption));
+        last.push(tile(draw(level, &cameras[8]), &caption));
     }
     let sheet = preview::sheet(&[what, six, turned.collect(), last], &marking.banner());
     marked_png(&sheet.into(), marking)

@@ -18,7 +18,7 @@ use crate::sources::{self, Sources};
 use crate::splat::render::Shown;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
-use crate::symmetry::{self, Fit, MirroredPhoto, Use};
+use crate::symmetry::{self, Completed, Found, MirroredPhoto, Plane, Use};
 use crate::{Result, memory, views};
 
 /// Pixels across each of the six views.
@@ -65,20 +65,12 @@ pub struct Timing {
     pub memory: Option<u64>,
 }
 
-/// The subject's plane of symmetry, as far as there is one.
-#[derive(Clone, Copy, Debug)]
-pub struct Symmetry {
-    /// The best plane, if it was looked for and found.
-    pub fit: Option<Fit>,
-    /// Whether the unseen side was taken from the seen one.
-    pub applied: bool,
-}
-
 /// Everything that came of one photo, in the unit frame (subject's bounding sphere of radius 1, Z up).
 pub struct Reconstruction {
     pub subject: Subject,
     pub prior: OneView,
-    pub symmetry: Symmetry,
+    /// At most two planes, the best first.
+    pub symmetry: Vec<Found>,
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
     pub report: Report,
@@ -94,15 +86,16 @@ pub struct Reconstruction {
 pub struct Fitted {
     pub subject: Subject,
     pub prior: OneView,
-    pub symmetry: Symmetry,
+    /// At most two planes, the best first.
+    pub symmetry: Vec<Found>,
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
     pub report: Report,
     /// What took the built-in networks' place.
     pub sources: sources::Outcome,
-    /// One a target: the photo's, then the mirrored photo's where there is one.
+    /// One a target: the photo's, then those of the mirrored photos.
     cameras: Vec<Camera>,
-    mirrored: Option<MirroredPhoto>,
+    mirrored: Vec<MirroredPhoto>,
     /// Of several photos those that colour comes from, and their cameras.
     painting: Vec<(Camera, Crop)>,
     /// Where there was more than one photo.
@@ -143,13 +136,15 @@ pub fn finish(fitted: Fitted, settings: &Settings, progress: &dyn Progress) -> R
         true => vec![view(cameras[0], &prior.colour, &prior.mask.data)],
         false => painting.iter().map(|(camera, crop)| view(*camera, &crop.colour, &crop.mask.data)).collect(),
     };
-    photos.extend(mirrored.as_ref().map(|m| mesh::PhotoView {
+    photos.extend(mirrored.iter().zip(cameras.iter().skip(1)).map(|(m, camera)| mesh::PhotoView {
         mirrored: true,
-        camera: cameras[1],
+        camera: *camera,
         color: &m.color,
         mask: &m.mask,
     }));
-    let model = meshed(&gaussians, &photos, settings, progress)?;
+    // Of several photos others may show what one cuts off.
+    let cut_off_below = painting.is_empty() && fitted.subject.cut_off_below();
+    let model = meshed(&gaussians, &photos, cut_off_below, settings, progress)?;
     clock.lap("mesh and texture");
     Ok(Reconstruction {
         subject: fitted.subject,
@@ -169,6 +164,7 @@ pub fn finish(fitted: Fitted, settings: &Settings, progress: &dyn Progress) -> R
 fn meshed(
     gaussians: &Gaussians,
     photos: &[mesh::PhotoView],
+    cut_off_below: bool,
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Model> {
@@ -178,6 +174,7 @@ fn meshed(
     };
     let options = mesh::Options {
         levels: settings.levels,
+        cut_off_below,
         normal_map: settings.normal_map,
         occlusion: settings.occlusion,
         background: GREY,
@@ -231,14 +228,11 @@ pub fn fit(
 
     let seen = symmetry::Seen { camera: one_view.camera, color: &one_view.colour, mask: &one_view.mask.data };
     // Views drawn by others show the far side themselves, and stand in another frame than the prior.
-    let guessed = settings.symmetry != Use::Off && sources.views_are_the_priors();
-    let fit = if !guessed { None } else { symmetry::find(&one_view.gaussians, &seen) };
-    let applied = fit.filter(|f| settings.symmetry == Use::On || f.convinces());
-    let mirrored = applied.map(|f| symmetry::mirrored_photo(&one_view.gaussians, &seen, &f.plane));
-    let completed = applied.map(|f| symmetry::complete(&one_view.gaussians, &seen, &f.plane));
-    if let Some(completed) = completed {
-        one_view.gaussians = completed;
-    }
+    let wanted = if sources.views_are_the_priors() { settings.symmetry } else { Use::Off };
+    let found = symmetry::find(&one_view.gaussians, &seen, wanted);
+    let planes: Vec<Plane> = found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect();
+    let Completed { gaussians, photos: mirrored } = symmetry::complete(&one_view.gaussians, &seen, &planes);
+    one_view.gaussians = gaussians;
     clock.lap("symmetry");
     progress.check()?;
 
@@ -258,12 +252,12 @@ pub fn fit(
     clock.lap("six views");
 
     let views = Shot { six: &six, normals: &normals, between: &between };
-    let trained = optimise(fitter, &one_view, mirrored.as_ref(), &views, settings, progress)?;
+    let trained = optimise(fitter, &one_view, &mirrored, &views, settings, progress)?;
     clock.lap("optimisation");
 
     Ok(Fitted {
         subject,
-        symmetry: Symmetry { fit, applied: applied.is_some() },
+        symmetry: found,
         six,
         gaussians: trained.gaussians,
         report: trained.report,
@@ -290,7 +284,7 @@ struct Shot<'a> {
 fn optimise(
     fitter: splat::Engine,
     prior: &OneView,
-    mirrored: Option<&MirroredPhoto>,
+    mirrored: &[MirroredPhoto],
     views: &Shot,
     settings: &Settings,
     progress: &dyn Progress,
@@ -305,7 +299,7 @@ fn optimise(
         shown: Shown::Color,
         name: PHOTO.into(),
     }];
-    targets.extend(mirrored.map(|m| Target {
+    targets.extend(mirrored.iter().enumerate().map(|(i, m)| Target {
         camera: m.camera,
         color: m.color.clone(),
         alpha: m.mask.clone(),
@@ -313,7 +307,7 @@ fn optimise(
         refine_pose: true,
         held_back: Some(m.seen_directly.clone()),
         shown: Shown::Color,
-        name: MIRRORED.into(),
+        name: if i == 0 { MIRRORED.into() } else { format!("{MIRRORED} {}", i + 1) },
     }));
     let view = |name: String, (camera, frame): &(Camera, Frame), weight: f32| Target {
         camera: *camera,

@@ -42,10 +42,12 @@ pub enum Quality {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Symmetry {
-    /// Where the subject meets its mirror image.
+    /// One plane or two, where the subject meets its mirror image
     Auto,
-    /// The best plane, however well it fits.
+    /// The best plane, however well it fits
     On,
+    /// It and a second one at right angles: the back is made the front's mirror image, as of towers, bunkers and many houses
+    Two,
     Off,
 }
 
@@ -54,6 +56,7 @@ impl From<Symmetry> for symmetry::Use {
         match choice {
             Symmetry::Auto => symmetry::Use::Auto,
             Symmetry::On => symmetry::Use::On,
+            Symmetry::Two => symmetry::Use::Two,
             Symmetry::Off => symmetry::Use::Off,
         }
     }
@@ -115,7 +118,7 @@ pub struct GeoArgs {
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
 
-    /// Whether a plane of symmetry gives the unseen side from the seen one.
+    /// Which planes of symmetry give the unseen side from the seen one.
     #[arg(long, value_enum, default_value = "auto")]
     pub symmetry: Symmetry,
 

@@ -59,9 +59,10 @@ pub fn text(s: &Summary) -> String {
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
-    let mirrored = match finest.mirrored {
-        m if s.done.symmetry.applied => format!("{:.0}% from the photo mirrored, ", m * 100.0),
-        _ => String::new(),
+    let mirrored = match planes(s.done) {
+        0 => String::new(),
+        1 => format!("{:.0}% from the photo mirrored, ", finest.mirrored * 100.0),
+        _ => format!("{:.0}% from the photo mirrored at two planes, ", finest.mirrored * 100.0),
     };
     line("texture", format!("{:.0}% from the photo, {mirrored}the rest invented", finest.seen * 100.0));
     let steps = match report.iterations {
@@ -130,6 +131,11 @@ fn metres(v: f64) -> String {
 
 /// PSNR before and after the optimisation, dB.
 type Pair = (f32, f32);
+
+/// Planes of symmetry that were used.
+fn planes(done: &Reconstruction) -> usize {
+    done.symmetry.iter().filter(|f| f.used).count()
+}
 
 /// Of the photo inside its mask, of the photo's held-back pixels, of the six views trained on, of the held-back views
 /// between them (means).
@@ -251,7 +257,7 @@ pub fn json(s: &Summary) -> Result<String> {
         },
         "levels": levels,
         "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
-        "symmetry": {"applied": s.done.symmetry.applied},
+        "symmetry": {"applied": planes(s.done) > 0, "planes": planes(s.done)},
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -119,11 +119,13 @@ pub fn bake(
     }
     let mut colors = from_views(&texels, &sums);
     let mut from = vec![[0.0; 2]; texels.len()];
-    // What is laid on later wins: the photo over its mirror image.
-    for mirrored in [true, false] {
-        let shown = photos.iter().filter(|p| p.mirrored == mirrored && p.camera.width > 0 && p.camera.height > 0);
+    // What is laid on later wins: photos over their mirror images, and of these an earlier one over a later one.
+    let photos = photos.iter().filter(|p| p.camera.width > 0 && p.camera.height > 0);
+    let (images, own): (Vec<&PhotoView>, Vec<&PhotoView>) = photos.partition(|p| p.mirrored);
+    let layers = images.into_iter().rev().map(|p| (true, vec![p])).chain([(false, own)]);
+    for (mirrored, shown) in layers {
         let source = |p: &PhotoView| photo_source(p, &visibility(&mesh.positions, &mesh.triangles, &p.camera), &linear);
-        let sources: Vec<Source> = shown.map(source).collect();
+        let sources: Vec<Source> = shown.into_iter().map(source).collect();
         if sources.is_empty() {
             continue;
         }

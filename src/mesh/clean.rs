@@ -125,6 +125,30 @@ fn solid_parts(volume: &Volume) -> Vec<Vec<usize>> {
     parts
 }
 
+/// For a subject that the photo cuts off below: its foot, of which no picture says much, goes straight down as wide as
+/// it is a sixth of its height up. What hangs down further than the foot as a whole goes.
+pub fn square_foot(volume: &mut Volume) {
+    let [nx, ny, nz] = volume.dims;
+    let slice = nx * ny;
+    let area: Vec<usize> =
+        (0..nz).map(|z| volume.data[z * slice..(z + 1) * slice].iter().filter(|d| **d < 0.0).count()).collect();
+    let (Some(lowest), Some(highest)) = (area.iter().position(|a| *a > 0), area.iter().rposition(|a| *a > 0)) else {
+        return;
+    };
+    let searched = lowest + (highest - lowest) / 4;
+    let widest = area[lowest..=searched].iter().max().copied().unwrap_or(0);
+    let foot = (lowest..=searched).find(|z| 3 * area[*z] >= widest).unwrap_or(searched);
+    let top = foot + (highest - foot) / 6;
+    for z in (foot..top).rev() {
+        let (below, above) = volume.data.split_at_mut((z + 1) * slice);
+        for (value, above) in below[z * slice..].iter_mut().zip(&above[..slice]) {
+            *value = value.min(*above);
+        }
+    }
+    let height = volume.position(0, 0, foot).z - 0.5 * volume.voxel;
+    cut_below(volume, height);
+}
+
 /// Cuts the lowest band flat, at most two voxels and what the views disagree up, so that the subject stands on a plane. Returns its height.
 pub fn flatten_ground(volume: &mut Volume) -> Option<f32> {
     let [nx, ny, nz] = volume.dims;
@@ -264,6 +288,32 @@ mod tests {
         assert_eq!(keep_what_belongs(&mut v), (3, 1));
         let (lo, hi) = extract(&v).bounds();
         assert!(hi.y < 0.5 && hi.z > 0.6 && lo.x < -0.8 && hi.x > 0.8);
+    }
+
+    #[test]
+    fn a_foot_that_the_photo_cuts_off_is_squared() {
+        // A block with a notch out of its foot, a tip that hangs down, and a bay higher up.
+        let solid = |p: Vec3| (p.abs() - Vec3::new(0.4, 0.4, 0.7)).max_element();
+        let notch = |p: Vec3| ((p - Vec3::new(0.4, 0.0, -0.7)).abs() - Vec3::new(0.3, 0.2, 0.15)).max_element();
+        let bay = |p: Vec3| ((p - Vec3::new(0.4, 0.0, 0.1)).abs() - Vec3::new(0.2, 0.2, 0.15)).max_element();
+        let tip = |p: Vec3| ((p - Vec3::new(-0.3, 0.0, -0.75)).abs() - Vec3::new(0.08, 0.08, 0.15)).max_element();
+        let mut v = volume(|p| solid(p).max(-notch(p)).max(-bay(p)).min(tip(p)));
+        let bay_before = v.data[v.index(36, 20, 22)];
+        square_foot(&mut v);
+        assert_eq!(v.data[v.index(36, 20, 22)], bay_before);
+        let surface = extract(&v);
+        let low = surface.bounds().0.z;
+        assert!((low + 0.7).abs() < 1.6 * v.voxel, "{low}");
+        // All of the block's outline stands on the ground.
+        let area = |z: f32| {
+            (0..v.data.len())
+                .filter(|i| {
+                    v.data[*i] < 0.0 && (v.position(0, 0, i / (v.dims[0] * v.dims[1])).z - z).abs() < 0.5 * v.voxel
+                })
+                .count()
+        };
+        assert_eq!(area(-0.62), area(-0.46));
+        square_foot(&mut volume(|_| 0.2));
     }
 
     #[test]

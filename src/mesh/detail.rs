@@ -131,6 +131,7 @@ mod tests {
     use super::*;
 
     const BOTH: Options = Options {
+        cut_off_below: false,
         normal_map: true,
         occlusion: true,
         voxels: 72,

@@ -107,12 +107,18 @@ fn solid(
     let restored = photos.iter().zip(&shown).map(|(p, v)| thin::restore(&mut volume, v, p.mask)).sum::<usize>();
     clean::fill_cavities(&mut volume);
     clean::keep_what_belongs(&mut volume);
+    if options.cut_off_below {
+        clean::square_foot(&mut volume);
+    }
     let ground = clean::flatten_ground(&mut volume);
     if restored == 0 {
         return Ok(Solid { volume, ground, without: None });
     }
     clean::fill_cavities(&mut without);
     clean::keep_what_belongs(&mut without);
+    if options.cut_off_below {
+        clean::square_foot(&mut without);
+    }
     Ok(Solid { volume, ground, without: Some(without) })
 }
 

@@ -53,7 +53,8 @@ pub struct View {
 /// The photo's crop: where it sees the surface its pixels win over rendered views.
 #[derive(Clone, Copy, Debug)]
 pub struct PhotoView<'a> {
-    /// Not the photo itself but its mirror image from the other side of a plane of symmetry: the photo wins over it.
+    /// Not the photo itself but its mirror image from the other side of a plane of symmetry: photos win over it, and so do
+    /// mirror images before it.
     pub mirrored: bool,
     pub camera: Camera,
     /// sRGB 0..1.
@@ -86,6 +87,8 @@ pub struct Options {
     pub color_size: u32,
     /// What the renderer composites on, sRGB 0..1; taken out again at soft edges.
     pub background: [f32; 3],
+    /// The photo cuts the subject off below: its foot is made straight.
+    pub cut_off_below: bool,
     /// Whether each level gets a tangent-space normal map of the surface before simplification.
     pub normal_map: bool,
     /// Whether each level gets an ambient occlusion map.
@@ -105,6 +108,7 @@ impl Default for Options {
             color_views: 32,
             color_size: 448,
             background: [0.5; 3],
+            cut_off_below: false,
             normal_map: false,
             occlusion: false,
         }
@@ -242,7 +246,7 @@ pub struct Level {
     pub error_to_coarser: f32,
     /// Share of texels coloured from the photo.
     pub seen: f32,
-    /// Share of texels coloured from the mirrored photo.
+    /// Share of texels coloured from mirror images of the photo.
     pub mirrored: f32,
 }
 

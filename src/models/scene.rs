@@ -49,6 +49,21 @@ pub struct Subject {
     pub elevation: Elevation,
 }
 
+impl Subject {
+    /// Whether the photo ends before the subject does.
+    pub fn cut_off_below(&self) -> bool {
+        reaches_the_last_row(&self.mask)
+    }
+}
+
+/// On the last row at least half as wide as anywhere in the lowest tenth, and more than a twentieth of the picture there.
+fn reaches_the_last_row(mask: &Plane) -> bool {
+    let Plane { width, height, .. } = *mask;
+    let wide = |y: usize| (0..width).filter(|x| mask.at(*x, y) > 0.5).count();
+    let widest = (height - height.div_ceil(10)..height).map(wide).max().unwrap_or(0);
+    20 * widest > width && 2 * wide(height - 1) >= widest
+}
+
 /// A camera's elevation above the horizon, as a network guesses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elevation {
@@ -289,6 +304,20 @@ mod tests {
                 image::Rgb(if d < self.radius { [90, 200, 60] } else { [100 + (x % 80) as u8, 90, 120] })
             })
         }
+    }
+
+    #[test]
+    fn a_subject_that_the_photo_cuts_off_is_told_from_one_that_stands_in_it() {
+        let mask = |inside: &dyn Fn(usize, usize) -> bool| Plane {
+            width: 100,
+            height: 80,
+            data: (0..8000).map(|i| f32::from(u8::from(inside(i % 100, i / 100)))).collect(),
+        };
+        assert!(reaches_the_last_row(&mask(&|x, y| (30..70).contains(&x) && y > 20)));
+        assert!(!reaches_the_last_row(&mask(&|x, y| (30..70).contains(&x) && (20..75).contains(&y))));
+        // A corner of it alone touches the border; a strip that is next to nothing.
+        assert!(!reaches_the_last_row(&mask(&|x, y| (30..70).contains(&x) && y > 20 && (x < 40 || y < 79))));
+        assert!(!reaches_the_last_row(&mask(&|x, _| x < 4)));
     }
 
     #[test]

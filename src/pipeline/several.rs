@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Clock, Fitted, GREY, Settings, Symmetry, VIEW, VIEW_SIZE, render_all, uncomposited};
+use super::{Clock, Fitted, GREY, Settings, VIEW, VIEW_SIZE, render_all, uncomposited};
 use crate::bench::{Picture, perception};
 use crate::geo::similarity::Similarity;
 use crate::models::splat_prior::{self, OneView};
@@ -213,13 +213,13 @@ pub fn fit(
     let fitted = Fitted {
         subject: best.subject,
         prior: one_view,
-        symmetry: Symmetry { fit: None, applied: false },
+        symmetry: Vec::new(),
         six,
         gaussians: trained.gaussians,
         report: trained.report,
         sources: sources::Outcome::default(),
         cameras: trained.cameras,
-        mirrored: None,
+        mirrored: Vec::new(),
         painting: painting.into_iter().step_by(step).collect(),
         several: Some(several),
         clock,

@@ -85,11 +85,9 @@ pub fn search(
     let reference = &all[best].view;
     // The far side is the near one's mirror image where the subject has a plane of symmetry: better than the network's guess.
     let seen = symmetry::Seen { camera: reference.camera, color: &reference.colour, mask: &reference.mask.data };
-    let plane = symmetry::find(&reference.gaussians, &seen).filter(|f| f.convinces());
-    let body = match plane {
-        Some(f) => symmetry::complete(&reference.gaussians, &seen, &f.plane),
-        None => reference.gaussians.clone(),
-    };
+    let found = symmetry::find(&reference.gaussians, &seen, symmetry::Use::Auto);
+    let planes: Vec<symmetry::Plane> = found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect();
+    let body = symmetry::complete(&reference.gaussians, &seen, &planes).gaussians;
     let mut photos = Vec::new();
     for (i, seen) in all.iter().enumerate() {
         progress.check()?;

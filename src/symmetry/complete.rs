@@ -1,4 +1,4 @@
-//! What a plane of symmetry gives: Gaussians for the far side, and the photo from the other side.
+//! What planes of symmetry give: Gaussians for the far side, and the photo from the other side.
 
 use glam::Vec3;
 
@@ -12,48 +12,82 @@ const BEHIND: f32 = 0.06;
 /// A point that the photo sees claims this many pixels around it.
 const SLACK: isize = 3;
 
-/// The photo as a camera on the other side of the plane would have taken it.
+/// The photo as a camera on the other side of a plane would have taken it; with a second plane also that picture mirrored.
 #[derive(Clone, Debug)]
 pub struct MirroredPhoto {
     pub camera: Camera,
     /// sRGB 0..1.
     pub color: Vec<[f32; 3]>,
     pub mask: Vec<f32>,
-    /// Pixels of which the photo itself knows better: it sees their surface, or something where the mirror image has
-    /// nothing.
+    /// Pixels of which the photo itself, or a picture mirrored at an earlier plane, knows better: it sees their surface, or
+    /// something where the mirror image has nothing.
     pub seen_directly: Vec<bool>,
 }
 
-/// The near half as it is, the far half where the photo saw it, and the near half mirrored where it did not.
-pub fn complete(g: &Gaussians, seen: &Seen, plane: &Plane) -> Gaussians {
-    let surface = Surface::new(g, seen);
+impl MirroredPhoto {
+    fn seen(&self) -> Seen<'_> {
+        Seen { camera: self.camera, color: &self.color, mask: &self.mask }
+    }
+}
+
+/// A subject with its unseen sides.
+#[derive(Clone, Debug)]
+pub struct Completed {
+    pub gaussians: Gaussians,
+    /// One for one plane, three for two.
+    pub photos: Vec<MirroredPhoto>,
+}
+
+/// The unseen side from the seen one at one plane after the other; each takes what the planes before it gave for seen.
+///
+/// Of the Gaussians the near half stays as it is, the far half where something saw it; elsewhere the near half takes its
+/// place, mirrored.
+pub fn complete(g: &Gaussians, seen: &Seen, planes: &[Plane]) -> Completed {
+    let mut all = Completed { gaussians: g.clone(), photos: Vec::new() };
+    for plane in planes {
+        let known: Vec<Seen> = std::iter::once(*seen).chain(all.photos.iter().map(MirroredPhoto::seen)).collect();
+        let surfaces: Vec<Surface> = known.iter().map(|s| Surface::new(&all.gaussians, s)).collect();
+        let mirrored: Vec<MirroredPhoto> =
+            known.iter().enumerate().map(|(k, s)| mirrored_photo(s, plane, &surfaces, k)).collect();
+        all.gaussians = with_far_side(&all.gaussians, plane, &surfaces);
+        all.photos.extend(mirrored);
+    }
+    all
+}
+
+fn with_far_side(g: &Gaussians, plane: &Plane, surfaces: &[Surface]) -> Gaussians {
     let near = |i: usize| plane.distance(g.positions[i]) >= 0.0;
-    let mut out = g.filtered(|i| near(i) || surface.behind(g.positions[i]) <= BEHIND);
+    let mut out = g.filtered(|i| near(i) || seen_of(surfaces, g.positions[i]));
     let half = g.filtered(near);
     let mirrored = plane.gaussians(&half);
-    out.extend(&mirrored.filtered(|i| surface.behind(mirrored.positions[i]) > BEHIND));
+    out.extend(&mirrored.filtered(|i| !seen_of(surfaces, mirrored.positions[i])));
     out
 }
 
-/// `g`: what the depth of the photo's pixels is taken from.
-pub fn mirrored_photo(g: &Gaussians, seen: &Seen, plane: &Plane) -> MirroredPhoto {
-    let surface = Surface::new(g, seen);
+/// Whether one of the pictures saw a point, or past it.
+fn seen_of(surfaces: &[Surface], p: Vec3) -> bool {
+    surfaces.iter().any(|s| s.behind(p) <= BEHIND)
+}
+
+/// `surfaces[of]` is what `seen` shows.
+fn mirrored_photo(seen: &Seen, plane: &Plane, surfaces: &[Surface], of: usize) -> MirroredPhoto {
     let width = seen.camera.width as usize;
     let seen_directly: Vec<bool> = (0..seen.mask.len())
         .map(|i| {
-            let z = surface.depth[i];
-            z > 0.0 && {
-                let mirrored = plane.reflect(lifted(&seen.camera, i, z));
-                surface.behind(mirrored) <= BEHIND
-            }
+            let z = surfaces[of].depth[i];
+            z > 0.0 && seen_of(surfaces, plane.reflect(lifted(&seen.camera, i, z)))
         })
         .collect();
     let camera = plane.camera(&seen.camera);
     let mask = flipped(seen.mask, width);
     let mut seen_directly = flipped(&seen_directly, width);
-    // Where the photo shows something that its mirror image lacks, the mirror image must not take it away.
-    for (i, &z) in surface.depth.iter().enumerate().filter(|(_, z)| **z > 0.0) {
-        let at = projected(&camera, lifted(&seen.camera, i, z));
+    // Where another picture shows something that this mirror image lacks, the mirror image must not take it away.
+    for (surface, i) in surfaces.iter().flat_map(|s| (0..s.depth.len()).map(move |i| (s, i))) {
+        let z = surface.depth[i];
+        if z <= 0.0 {
+            continue;
+        }
+        let at = projected(&camera, lifted(&surface.camera, i, z));
         let (x, y) = (at.x as isize, at.y as isize);
         for (u, v) in (-SLACK..=SLACK).flat_map(|a| (-SLACK..=SLACK).map(move |b| (x + a, y + b))) {
             if u >= 0 && v >= 0 && u < width as isize && v < camera.height as isize {
@@ -65,7 +99,7 @@ pub fn mirrored_photo(g: &Gaussians, seen: &Seen, plane: &Plane) -> MirroredPhot
     MirroredPhoto { camera, color: flipped(seen.color, width), mask, seen_directly }
 }
 
-/// What the photo's camera sees of the Gaussians.
+/// What a picture's camera sees of the Gaussians.
 struct Surface {
     camera: Camera,
     /// 0 where there is none.
@@ -80,7 +114,7 @@ impl Surface {
         Surface { camera: seen.camera, depth }
     }
 
-    /// How far behind the seen surface a point lies; negative before it; −∞ where the photo looks past the subject.
+    /// How far behind the seen surface a point lies; negative before it; −∞ where the picture looks past the subject.
     fn behind(&self, p: Vec3) -> f32 {
         let at = projected(&self.camera, p);
         let (w, h) = (self.camera.width as f32, self.camera.height as f32);

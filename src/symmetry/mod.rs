@@ -1,8 +1,8 @@
-//! The unseen side from the seen one: a subject's vertical plane of symmetry, and what it gives.
+//! The unseen side from the seen one: a subject's vertical planes of symmetry, and what they give.
 //!
-//! [`find`] looks for the plane by how well the subject, mirrored, meets itself; [`complete`] puts mirrored Gaussians
-//! where the photo saw nothing; [`mirrored_photo`] is the photo as a camera on the other side would have taken it, a
-//! further picture to train on and to take texture from. Letters and number plates come out mirrored.
+//! [`find`] looks for the planes by how well the subject, mirrored, meets itself; [`complete`] puts mirrored Gaussians
+//! where the photo saw nothing, and gives the photo as a camera on the other side would have taken it, a further picture to
+//! train on and to take texture from. Letters and number plates come out mirrored.
 
 mod complete;
 mod evidence;
@@ -15,18 +15,20 @@ use glam::{Mat3, Vec3};
 
 use crate::splat::{Camera, Gaussians};
 
-pub use complete::{MirroredPhoto, complete, mirrored_photo};
+pub use complete::{Completed, MirroredPhoto, complete};
 pub use evidence::Seen;
-pub use search::{Fit, find};
+pub use search::{Fit, Found, find};
 
-/// Whether a symmetry is used.
+/// Which symmetry is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Use {
-    /// Where the subject meets its mirror image well enough.
+    /// One plane or two, where the subject meets its mirror image well enough.
     #[default]
     Auto,
     /// The best plane, however well it fits.
     On,
+    /// It and a second one at right angles: the back is the front's mirror image.
+    Two,
     Off,
 }
 

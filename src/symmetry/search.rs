@@ -4,7 +4,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::evidence::{Evidence, Field, projected};
-use super::{Plane, Seen, flipped};
+use super::{Plane, Seen, Use, flipped};
 use crate::splat::{self, Gaussians};
 
 /// How well a subject meets its mirror image.
@@ -47,13 +47,36 @@ impl Fit {
 /// A surface point within this of the seen depth is the seen one.
 const SAME: f32 = 0.08;
 
-/// The best plane; None when too little is solid to judge.
+/// A plane, and whether it is to be used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    pub fit: Fit,
+    pub used: bool,
+}
+
+/// The best plane, and where that one is used the best at right angles to it. Empty where nothing is looked for, or too
+/// little is solid to judge.
 ///
 /// `g`: in the unit frame, Z up.
-pub fn find(g: &Gaussians, seen: &Seen) -> Option<Fit> {
-    let evidence = Evidence::new(g, seen)?;
+pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
+    if wanted == Use::Off {
+        return Vec::new();
+    }
+    let Some(evidence) = Evidence::new(g, seen) else { return Vec::new() };
     let variation = variation(&evidence);
-    let score = |heading: f32, offset: f32| judge(&evidence, variation, plane(&evidence, heading, offset));
+    let with_silhouette = |fit: Fit| Fit { silhouette: silhouette(g, seen, &fit.plane), ..fit };
+    let Some(first) = best(&evidence, variation).map(with_silhouette) else { return Vec::new() };
+    let used = matches!(wanted, Use::On | Use::Two) || first.convinces();
+    let mut all = vec![Found { fit: first, used }];
+    if used && let Some(second) = across(&evidence, variation, &first.plane).map(with_silhouette) {
+        let used = wanted == Use::Two || (wanted == Use::Auto && second.convinces());
+        all.push(Found { fit: second, used });
+    }
+    all
+}
+
+fn best(evidence: &Evidence, variation: f32) -> Option<Fit> {
+    let score = |heading: f32, offset: f32| judge(evidence, variation, plane(evidence, heading, offset));
     let coarse: Vec<(f32, f32, f32)> = (0..60 * 31)
         .into_par_iter()
         .map(|k| {
@@ -77,12 +100,17 @@ pub fn find(g: &Gaussians, seen: &Seen) -> Option<Fit> {
         }
     }
     let refined: Vec<_> = best.into_iter().map(|start| closer(start, &score)).collect();
+    let best = refined.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(score(best.1, best.2))
+}
 
-    let refined = refined.into_iter();
-    let best = refined.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let mut fit = score(best.1, best.2);
-    fit.silhouette = silhouette(g, seen, &fit.plane);
-    Some(fit)
+/// The best at right angles to `first`: how far off the middle is all there is to find.
+fn across(evidence: &Evidence, variation: f32, first: &Plane) -> Option<Fit> {
+    let heading = first.normal.y.atan2(first.normal.x).to_degrees() + 90.0;
+    (-90..=90)
+        .into_par_iter()
+        .map(|k| judge(evidence, variation, plane(evidence, heading, k as f32 * 0.005)))
+        .min_by(|a, b| a.misfit().total_cmp(&b.misfit()))
 }
 
 /// Steps of heading and offset, halved when none helps.

@@ -98,12 +98,17 @@ fn mirrored_gaussians_look_flipped_from_the_mirrored_camera() {
 #[test]
 fn the_plane_of_a_van_is_found() {
     let case = Case::new(van(stripes));
-    let fit = find(&case.g, &case.seen()).unwrap();
+    let found = find(&case.g, &case.seen(), Use::Auto);
+    let fit = found[0].fit;
     let lean = fit.plane.normal.dot(case.truth.normal).abs().min(1.0).acos().to_degrees();
     assert!(lean < 1.5, "{lean}° off: {fit:?}");
     let offset = fit.plane.offset * fit.plane.normal.dot(case.truth.normal).signum();
     assert!((offset - case.truth.offset).abs() < 0.02, "{offset} for {}", case.truth.offset);
-    assert!(fit.convinces(), "{fit:?}");
+    assert!(found[0].used, "{fit:?}");
+    // Bonnet and cabin: front and back are not alike.
+    assert!(found[1..].iter().all(|f| !f.used), "{found:?}");
+    assert!(find(&case.g, &case.seen(), Use::Two).iter().all(|f| f.used));
+    assert!(find(&case.g, &case.seen(), Use::Off).is_empty());
     assert!(fit.plane.distance(case.camera.position()) > 0.0);
 }
 
@@ -113,10 +118,10 @@ fn what_is_not_symmetric_does_not_convince() {
     crooked.extend(&boxed(Vec3::new(-0.7, -0.9, -0.4), Vec3::new(-0.3, -0.35, 0.7), |_| [0.9, 0.8, 0.1]));
     crooked.extend(&boxed(Vec3::new(0.5, 0.35, -0.4), Vec3::new(0.8, 0.8, -0.2), |_| [0.1, 0.8, 0.9]));
     let case = Case::new(crooked);
-    let fit = find(&case.g, &case.seen());
-    assert!(fit.is_none_or(|f| !f.convinces()), "{fit:?}");
+    let found = find(&case.g, &case.seen(), Use::Auto);
+    assert!(found.iter().all(|f| !f.used), "{found:?}");
     let nothing = Seen { mask: &vec![0.0; case.mask.len()], ..case.seen() };
-    assert!(find(&case.g, &nothing).is_none());
+    assert!(find(&case.g, &nothing, Use::On).is_empty());
 }
 
 #[test]
@@ -133,7 +138,7 @@ fn the_far_side_is_given_by_the_near_one() {
         }
     }
     let seen = true_case.seen();
-    let completed = complete(&invented, &seen, &plane);
+    let completed = complete(&invented, &seen, &[plane]).gaussians;
     // From the other side.
     let other = plane.camera(&true_case.camera);
     let truth = render(&true_case.g, &other, GREY);
@@ -149,10 +154,49 @@ fn the_far_side_is_given_by_the_near_one() {
         / front.color.len() as f32;
     assert!(change < 0.01, "{change}");
 
-    let photo = mirrored_photo(&true_case.g, &seen, &plane);
+    let photo = &complete(&true_case.g, &seen, &[plane]).photos[0];
     assert_eq!(photo.camera, other);
     let known = photo.seen_directly.iter().zip(&photo.mask).filter(|(s, m)| **s && **m > 0.5).count();
     let all = photo.mask.iter().filter(|m| **m > 0.5).count();
     // Front and roof are seen directly, the flank is not.
     assert!((0.1..0.8).contains(&(known as f32 / all as f32)), "{known} of {all}");
+}
+
+/// Alike on both sides of two planes, front and back, left and right.
+#[test]
+fn what_is_alike_front_and_back_is_known_from_all_sides() {
+    let hut = |dull: bool| {
+        let color = move |p: Vec3| match (dull && p.x + p.y > 0.3, p.z > 0.35) {
+            (true, _) => [0.5; 3],
+            (_, true) => [0.3, 0.3, 0.6],
+            _ => stripes(Vec3::new((p.x.abs() - p.y.abs()) + 2.0, 0.0, p.z)),
+        };
+        let mut g = boxed(Vec3::new(-0.8, -0.4, -0.4), Vec3::new(0.8, 0.4, 0.2), color);
+        g.extend(&boxed(Vec3::new(-0.5, -0.2, 0.2), Vec3::new(0.5, 0.2, 0.5), color));
+        g
+    };
+    let case = Case::new(hut(false));
+    let found = find(&case.g, &case.seen(), Use::Auto);
+    assert!(found.len() == 2 && found.iter().all(|f| f.used), "{found:?}");
+    let across = found[0].fit.plane.normal.dot(found[1].fit.plane.normal);
+    assert!(across.abs() < 1e-3, "{across}");
+
+    let planes: Vec<Plane> = found.iter().map(|f| f.fit.plane).collect();
+    let invented = Case::new(hut(true)).g;
+    let completed = complete(&invented, &case.seen(), &planes);
+    assert_eq!(completed.photos.len(), 3);
+    let error = |g: &Gaussians, camera: &Camera| {
+        let (shown, truth) = (render(g, camera, GREY), render(&case.g, camera, GREY));
+        let pairs = shown.color.iter().zip(&truth.color);
+        pairs.map(|(a, b)| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f32>()).sum::<f32>()
+    };
+    for photo in &completed.photos {
+        let (before, after) = (error(&invented, &photo.camera), error(&completed.gaussians, &photo.camera));
+        assert!(after < 0.35 * before || before < 5.0, "{before} to {after}");
+        // What the mirrored picture shows is what is there.
+        let truth = render(&case.g, &photo.camera, GREY);
+        let shown = photo.color.iter().zip(&truth.color).zip(&photo.mask).filter(|(_, m)| **m > 0.9);
+        let off: Vec<f32> = shown.map(|((a, b), _)| (0..3).map(|k| (a[k] - b[k]).abs()).sum::<f32>() / 3.0).collect();
+        assert!(off.iter().sum::<f32>() / (off.len() as f32) < 0.06);
+    }
 }

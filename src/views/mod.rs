@@ -31,6 +31,29 @@ pub fn orbit(azimuth: f32, elevation: f32, distance: f32, size: u32) -> Camera {
     Camera::look_at(eye(azimuth, elevation, distance), Vec3::ZERO, FOV, size)
 }
 
+/// Square cameras that look at the middle of `points` from azimuths and elevations (degrees), all from as far and with one
+/// focal length: the longest under which every picture holds every point, a fortieth of its side left free.
+pub fn framed(points: &[Vec3], from: &[[f32; 2]], size: u32) -> Vec<Camera> {
+    let low = points.iter().copied().reduce(Vec3::min).unwrap_or_default();
+    let high = points.iter().copied().reduce(Vec3::max).unwrap_or_default();
+    let middle = (low + high) / 2.0;
+    let distance = DISTANCE * ((high - low).length() / 2.0).max(1e-3);
+    let look = |[azimuth, elevation]: &[f32; 2]| {
+        Camera::look_at(middle + eye(*azimuth, *elevation, distance), middle, FOV, size)
+    };
+    let mut all: Vec<Camera> = from.iter().map(look).collect();
+    let off_axis = |camera: &Camera, p: &Vec3| {
+        let q = camera.rotation * *p + camera.translation;
+        q.x.abs().max(q.y.abs()) / q.z
+    };
+    let widest = all.iter().flat_map(|c| points.iter().map(|p| off_axis(c, p))).fold(1e-3, f32::max);
+    for camera in &mut all {
+        camera.fx = 0.475 * size as f32 / widest;
+        camera.fy = camera.fx;
+    }
+    all
+}
+
 /// The paper's six views.
 pub fn six_views(size: u32) -> [Camera; 6] {
     std::array::from_fn(|i| orbit(SIX_AZIMUTHS[i], SIX_ELEVATIONS[i], DISTANCE, size))
@@ -80,6 +103,20 @@ mod tests {
             assert!(camera.rotation.row(1).z < 1e-6, "down is down");
             assert!((camera.rotation.determinant() - 1.0).abs() < 1e-5);
         }
+    }
+
+    #[test]
+    fn framed_cameras_hold_every_point_and_fill_one_picture() {
+        let points = [Vec3::new(0.2, 0.1, 0.0), Vec3::new(1.0, 0.3, 0.1), Vec3::new(0.4, -0.2, 2.0)];
+        let cameras = framed(&points, &[[0.0, 15.0], [130.0, -60.0], [0.0, 89.0]], 100);
+        let mut furthest = 0f32;
+        for (camera, p) in cameras.iter().flat_map(|c| points.iter().map(move |p| (c, *p))) {
+            let q = camera.rotation * p + camera.translation;
+            let (x, y) = (camera.fx * q.x / q.z, camera.fy * q.y / q.z);
+            furthest = furthest.max(x.abs()).max(y.abs());
+        }
+        assert!((furthest - 47.5).abs() < 1e-3, "{furthest}");
+        assert_eq!(framed(&[], &[[0.0, 0.0]], 8).len(), 1);
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::progress::{Progress, Silent};
 use crate::sources::Sources;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Gaussians};
-use crate::symmetry::Use;
+use crate::symmetry::{Found, Use};
 use crate::{Error, Result, views};
 
 /// Compare models of photos with the meshes that the photos were made from.
@@ -149,9 +149,10 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
     Ok(json!({
         "name": truth.name,
         "mesh_seconds": mesh_seconds,
-        "symmetry": { "applied": done.symmetry.applied, "fit": done.symmetry.fit.map(|f| json!({
-            "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape, "contradicted": f.contradicted,
-            "color": f.color, "pairs": f.pairs, "hidden": f.hidden, "silhouette": f.silhouette })) },
+        "symmetry": done.symmetry.iter().map(|Found { fit: f, used }| json!({
+            "used": used, "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape,
+            "contradicted": f.contradicted, "color": f.color, "pairs": f.pairs, "hidden": f.hidden,
+            "silhouette": f.silhouette })).collect::<Vec<_>>(),
         "mesh": scores(&shape),
         "gaussians": scores(&gaussians),
         "opacity_level_set": scores(&Shape::of_surface(&opacity)),

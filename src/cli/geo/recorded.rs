@@ -12,6 +12,7 @@ use crate::export::Catalogue;
 use crate::models::{Engine, Rten, prior};
 use crate::pipeline::{Reconstruction, Settings};
 use crate::sources::Outcome;
+use crate::symmetry::Found;
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 /// `device`: where the Gaussians were optimised.
@@ -93,18 +94,17 @@ pub fn params(
         add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
     }
     add("symmetry", args.symmetry.to_possible_value().map(|v| text(v.get_name().to_owned())));
-    add("symmetry_applied", Some(Param::Bool(done.symmetry.applied)));
-    if let Some(fit) = &done.symmetry.fit {
+    add("symmetry_applied", Some(Param::Bool(done.symmetry.iter().any(|f| f.used))));
+    add("symmetry_planes_used", Some(Param::Int(done.symmetry.iter().filter(|f| f.used).count() as i64)));
+    for (Found { fit, .. }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
         let n = fit.plane.normal;
         let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;
-        add("symmetry_plane_normal_bearing_deg", Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
-        add(
-            "symmetry_shape_distance_m",
-            Some(text(format!("{:.4}", f64::from(fit.shape) * placed.scale.metres_per_unit))),
-        );
-        add("symmetry_contradicted", share(fit.contradicted));
-        add("symmetry_colour_difference", share(fit.color));
-        add("symmetry_silhouette_iou", share(fit.silhouette));
+        let distance = f64::from(fit.shape) * placed.scale.metres_per_unit;
+        add(&format!("{which}_plane_normal_bearing_deg"), Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
+        add(&format!("{which}_shape_distance_m"), Some(text(format!("{distance:.4}"))));
+        add(&format!("{which}_contradicted"), share(fit.contradicted));
+        add(&format!("{which}_colour_difference"), share(fit.color));
+        add(&format!("{which}_silhouette_iou"), share(fit.silhouette));
     }
     add("mask_score", sources.mask_score.map(|(score, _)| text(format!("{score:.4}"))));
     add("mask_refined", sources.mask_score.map(|(_, refined)| Param::Bool(refined)));
