@@ -18,7 +18,7 @@ use crate::sources::{self, Sources};
 use crate::splat::render::Shown;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Frame, Gaussians, Report, Target};
-use crate::symmetry::{self, Completed, Found, MirroredPhoto, Plane, Use};
+use crate::symmetry::{self, Completed, Found, MirroredPhoto, Use};
 use crate::{Result, memory, views};
 
 /// Pixels across each of the six views.
@@ -230,8 +230,8 @@ pub fn fit(
     // Views drawn by others show the far side themselves, and stand in another frame than the prior.
     let wanted = if sources.views_are_the_priors() { settings.symmetry } else { Use::Off };
     let found = symmetry::find(&one_view.gaussians, &seen, wanted);
-    let planes: Vec<Plane> = found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect();
-    let Completed { gaussians, photos: mirrored } = symmetry::complete(&one_view.gaussians, &seen, &planes);
+    let Completed { gaussians, photos: mirrored } =
+        symmetry::complete(&one_view.gaussians, &seen, &symmetry::used(&found));
     one_view.gaussians = gaussians;
     clock.lap("symmetry");
     progress.check()?;

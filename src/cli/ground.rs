@@ -53,30 +53,37 @@ impl GroundArgs {
         if !has_store {
             return Err(Error::usage("--ground").expected("--format cdb beside it").found("other formats only"));
         }
-        let mut inputs = Vec::new();
-        let mut take = |path: &Path, role: &str| -> Result<(String, Vec<u8>)> {
-            let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-            let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the path."))?;
-            inputs.push(record::input(&name, &bytes, "image/tiff", role, marking::carried(&name, &bytes)?));
-            Ok((name, bytes))
-        };
-        let dem = match &self.ground_dem {
-            None => None,
-            Some(path) => {
-                let (name, _) = take(path, "terrain")?;
-                let file = File::open(path).map_err(|e| Error::io(path, &e))?;
-                Some(Dem::open(&name, BufReader::new(file), datum)?)
-            }
-        };
-        let image = match &self.ground_image {
-            None => None,
-            Some(path) => {
-                let (name, bytes) = take(path, "imagery")?;
-                Some(Ortho::read(&name, &bytes)?)
-            }
-        };
+        let (mut dem, mut image, mut inputs) = (None, None, Vec::new());
+        if let Some(path) = &self.ground_dem {
+            let (open, input) = open_dem(path, datum)?;
+            dem = Some(open);
+            inputs.push(input);
+        }
+        if let Some(path) = &self.ground_image {
+            let (input, bytes) = geotiff(path, "imagery")?;
+            image = Some(Ortho::read(&input.name, &bytes)?);
+            inputs.push(input);
+        }
         Ok(Some(GroundFiles { dem, image, inputs }))
     }
+}
+
+/// A GeoTIFF for the record, and its bytes.
+fn geotiff(path: &Path, role: &str) -> Result<(Input, Vec<u8>)> {
+    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the path."))?;
+    Ok((record::input(&name, &bytes, "image/tiff", role, marking::carried(&name, &bytes)?), bytes))
+}
+
+/// Terrain, opened to be read chunk by chunk, and what the record says of it. `datum`: instead of what the file says.
+///
+/// # Errors
+/// Usage for what is no GeoTIFF of heights, and environment where it cannot be read.
+pub fn open_dem(path: &Path, datum: Option<AltDatum>) -> Result<(Dem<BufReader<File>>, Input)> {
+    let (input, bytes) = geotiff(path, "terrain")?;
+    drop(bytes);
+    let file = File::open(path).map_err(|e| Error::io(path, &e))?;
+    Ok((Dem::open(&input.name, BufReader::new(file), datum)?, input))
 }
 
 impl GroundFiles {

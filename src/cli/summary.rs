@@ -11,7 +11,7 @@ use crate::models::prior;
 use crate::pipeline::several::Role;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
-use crate::{Error, Result, memory};
+use crate::{Error, Result, memory, symmetry};
 
 pub struct Summary<'a> {
     pub published: &'a Published,
@@ -59,7 +59,7 @@ pub fn text(s: &Summary) -> String {
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
-    let mirrored = match planes(s.done) {
+    let mirrored = match symmetry::used(&s.done.symmetry).len() {
         0 => String::new(),
         1 => format!("{:.0}% from the photo mirrored, ", finest.mirrored * 100.0),
         _ => format!("{:.0}% from the photo mirrored at two planes, ", finest.mirrored * 100.0),
@@ -132,11 +132,6 @@ fn metres(v: f64) -> String {
 /// PSNR before and after the optimisation, dB.
 type Pair = (f32, f32);
 
-/// Planes of symmetry that were used.
-fn planes(done: &Reconstruction) -> usize {
-    done.symmetry.iter().filter(|f| f.used).count()
-}
-
 /// Of the photo inside its mask, of the photo's held-back pixels, of the six views trained on, of the held-back views
 /// between them (means).
 fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
@@ -206,6 +201,7 @@ pub fn json(s: &Summary) -> Result<String> {
             })
         })
         .collect();
+    let planes = symmetry::used(&s.done.symmetry).len();
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
         .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
@@ -257,7 +253,7 @@ pub fn json(s: &Summary) -> Result<String> {
         },
         "levels": levels,
         "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
-        "symmetry": {"applied": planes(s.done) > 0, "planes": planes(s.done)},
+        "symmetry": {"applied": planes > 0, "planes": planes},
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -86,8 +86,7 @@ pub fn search(
     // The far side is the near one's mirror image where the subject has a plane of symmetry: better than the network's guess.
     let seen = symmetry::Seen { camera: reference.camera, color: &reference.colour, mask: &reference.mask.data };
     let found = symmetry::find(&reference.gaussians, &seen, symmetry::Use::Auto);
-    let planes: Vec<symmetry::Plane> = found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect();
-    let body = symmetry::complete(&reference.gaussians, &seen, &planes).gaussians;
+    let body = symmetry::complete(&reference.gaussians, &seen, &symmetry::used(&found)).gaussians;
     let mut photos = Vec::new();
     for (i, seen) in all.iter().enumerate() {
         progress.check()?;

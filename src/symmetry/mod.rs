@@ -17,7 +17,7 @@ use crate::splat::{Camera, Gaussians};
 
 pub use complete::{Completed, MirroredPhoto, complete};
 pub use evidence::Seen;
-pub use search::{Fit, Found, find};
+pub use search::{Fit, Found, find, used};
 
 /// Which symmetry is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -54,6 +54,11 @@ pub struct Found {
     pub used: bool,
 }
 
+/// The planes that are to be used, in their order.
+pub fn used(found: &[Found]) -> Vec<Plane> {
+    found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect()
+}
+
 /// The best plane, and where that one is used the best at right angles to it. Empty where nothing is looked for, or too
 /// little is solid to judge.
 ///

@@ -181,9 +181,8 @@ fn what_is_alike_front_and_back_is_known_from_all_sides() {
     let across = found[0].fit.plane.normal.dot(found[1].fit.plane.normal);
     assert!(across.abs() < 1e-3, "{across}");
 
-    let planes: Vec<Plane> = found.iter().map(|f| f.fit.plane).collect();
     let invented = Case::new(hut(true)).g;
-    let completed = complete(&invented, &case.seen(), &planes);
+    let completed = complete(&invented, &case.seen(), &used(&found));
     assert_eq!(completed.photos.len(), 3);
     let error = |g: &Gaussians, camera: &Camera| {
         let (shown, truth) = (render(g, camera, GREY), render(&case.g, camera, GREY));

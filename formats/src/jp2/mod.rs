@@ -6,6 +6,7 @@
 mod codestream;
 
 use crate::geotiff::{self, Grid};
+use crate::xml::escape;
 use crate::{Error, Image, Result};
 
 const FORMAT: &str = "JPEG 2000";
@@ -40,15 +41,7 @@ pub fn write(image: &Image, grid: Option<&Grid>, text: &str) -> Result<Vec<u8>> 
     add(&mut header, b"colr", &[&[1, 0, 0][..], &(if c == 3 { 16u32 } else { 17 }).to_be_bytes()].concat());
     add(&mut out, b"jp2h", &header);
     if !text.is_empty() {
-        let mut element = String::new();
-        for c in text.chars() {
-            match c {
-                '<' => element += "&lt;",
-                '&' => element += "&amp;",
-                c => element.push(c),
-            }
-        }
-        add(&mut out, b"xml ", format!("<?xml version=\"1.0\"?>\n<Comment>{element}</Comment>\n").as_bytes());
+        add(&mut out, b"xml ", format!("<?xml version=\"1.0\"?>\n<Comment>{}</Comment>\n", escape(text)).as_bytes());
     }
     if let Some(grid) = grid {
         add(&mut out, b"uuid", &[&GEO_UUID[..], &geotiff::degenerate(grid)].concat());

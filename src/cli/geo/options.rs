@@ -6,9 +6,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use crate::audit::Marking;
 use crate::audit::statement::Input;
-use crate::audit::{Marking, record};
-use crate::cli::marking;
+use crate::cli::ground::open_dem;
 use crate::geo::dem::{Dem, Fit};
 use crate::geo::{self, AltDatum, Known, Written};
 use crate::{Error, Result};
@@ -219,17 +219,11 @@ fn check_height(o: &Written, datum: Option<AltDatum>, place: &PlaceArgs) -> Resu
 
 fn terrain(place: &PlaceArgs) -> Result<Option<Terrain>> {
     let Some(path) = &place.dem else { return Ok(None) };
-    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    let datum = place.dem_datum.map(DemDatum::plain);
-    let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the terrain's path."))?;
-    let input = record::input(&name, &bytes, "image/tiff", "terrain", marking::carried(&name, &bytes)?);
-    drop(bytes);
-    let file = File::open(path).map_err(|e| Error::io(path, &e))?;
-    let dem = Dem::open(&name, BufReader::new(file), datum)?;
+    let (dem, input) = open_dem(path, place.dem_datum.map(DemDatum::plain))?;
     let fit = match place.dem_fit {
         DemFit::Mean => Fit::Mean,
         DemFit::Min => Fit::Min,
         DemFit::Conform => Fit::Conform,
     };
-    Ok(Some(Terrain { name, dem, fit, input }))
+    Ok(Some(Terrain { name: input.name.clone(), dem, fit, input }))
 }

@@ -12,7 +12,7 @@ use crate::export::Catalogue;
 use crate::models::{Engine, Rten, prior};
 use crate::pipeline::{Reconstruction, Settings};
 use crate::sources::Outcome;
-use crate::symmetry::Found;
+use crate::symmetry::{self, Found};
 
 /// What ran, pinned by the weights' SHA-256, and what the paper names and this run did without.
 /// `device`: where the Gaussians were optimised.
@@ -94,8 +94,9 @@ pub fn params(
         add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
     }
     add("symmetry", args.symmetry.to_possible_value().map(|v| text(v.get_name().to_owned())));
-    add("symmetry_applied", Some(Param::Bool(done.symmetry.iter().any(|f| f.used))));
-    add("symmetry_planes_used", Some(Param::Int(done.symmetry.iter().filter(|f| f.used).count() as i64)));
+    let planes = symmetry::used(&done.symmetry).len();
+    add("symmetry_applied", Some(Param::Bool(planes > 0)));
+    add("symmetry_planes_used", Some(Param::Int(planes as i64)));
     for (Found { fit, .. }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
         let n = fit.plane.normal;
         let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;

@@ -33,15 +33,19 @@ fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
 fn problem() -> (Vec<Target>, Gaussians) {
     let truth = scene(150, 0.12, 1);
     let targets = views(&truth, 5, 48);
-    let mut start = truth;
+    (targets, disturbed(truth))
+}
+
+/// What training starts from where the truth is known.
+pub(super) fn disturbed(mut g: Gaussians) -> Gaussians {
     let mut r = random::Random::new(8);
-    for i in 0..start.len() {
-        start.positions[i] += Vec3::new(r.normal(), r.normal(), r.normal()) * 0.03;
-        start.log_scales[i] += Vec3::splat(0.2 * r.normal());
-        start.sh[i][0] = start.sh[i][0].map(|c| 0.5 * c + 0.2 * r.normal());
-        start.logit_opacities[i] += 0.5 * r.normal();
+    for i in 0..g.len() {
+        g.positions[i] += Vec3::new(r.normal(), r.normal(), r.normal()) * 0.03;
+        g.log_scales[i] += Vec3::splat(0.2 * r.normal());
+        g.sh[i][0] = g.sh[i][0].map(|c| 0.5 * c + 0.2 * r.normal());
+        g.logit_opacities[i] += 0.5 * r.normal();
     }
-    (targets, start)
+    g
 }
 
 /// The paper's step sizes and no growth: what a toy scene of true Gaussians needs.

@@ -12,7 +12,7 @@ use crate::{File, Image, Result, jp2};
 const UNKNOWN: [u8; 3] = [128; 3];
 
 /// The tiles of a level and of all above it.
-pub fn tiles(ground: &mut Ground, finest: &BTreeSet<Tile>, lod: i8) -> Result<Vec<File>> {
+pub fn tiles(ground: &mut Ground, finest: &BTreeSet<Tile>) -> Result<Vec<File>> {
     let order = pyramid(finest);
     let mut images: BTreeMap<Tile, Image> = BTreeMap::new();
     for &tile in order.iter().rev() {
@@ -30,7 +30,7 @@ pub fn tiles(ground: &mut Ground, finest: &BTreeSet<Tile>, lod: i8) -> Result<Ve
         images.insert(tile, image);
     }
     // Finer tiles, where there are any, know the mean of their pixels better than one look at it.
-    for &tile in order.iter().rev().filter(|t| t.lod <= lod) {
+    for &tile in order.iter().rev() {
         let Some(parent) = tile.parent() else { continue };
         let half = texture::half(&images[&tile]);
         if let Some(coarse) = images.get_mut(&parent) {

@@ -85,7 +85,7 @@ pub fn add_ground(store: &dyn Store, mut ground: Ground) -> Result<AddedGround> 
     }
     match held {
         Some(path) => notes.push(format!("The store has imagery here ({path}): it is left as it is.")),
-        None => files.extend(imagery::tiles(&mut ground, &tiles, lod)?),
+        None => files.extend(imagery::tiles(&mut ground, &tiles)?),
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
     Ok(AddedGround { files, lod, notes })

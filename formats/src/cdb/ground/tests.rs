@@ -118,7 +118,7 @@ fn imagery_holds_the_colours_and_their_means() {
     let mut ground = ground();
     ground.colors = Some(&mut colors);
     let tiles: BTreeSet<Tile> = [Tile::containing(PLACE.0, PLACE.1, 4).unwrap()].into();
-    let files = imagery::tiles(&mut ground, &tiles, 4).unwrap();
+    let files = imagery::tiles(&mut ground, &tiles).unwrap();
     assert_eq!(files.len(), 15);
     assert!(files.iter().all(|f| names::parse(&f.path).is_some()));
 }

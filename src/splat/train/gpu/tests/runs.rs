@@ -7,7 +7,7 @@ use crate::progress::{Progress, Silent};
 use crate::splat::render::gpu::Gpu;
 use crate::splat::render::tests::scene;
 use crate::splat::render::{Shown, render};
-use crate::splat::train::random::Random;
+use crate::splat::train::tests::disturbed;
 use crate::splat::train::{Checkpoint, Density, Engine, Kept, Options, Saved, Target, advance, train, train_kept};
 use crate::splat::{Camera, Gaussians};
 
@@ -33,15 +33,7 @@ fn problem(size: u32) -> (Vec<Target>, Gaussians) {
             }
         })
         .collect();
-    let mut start = truth;
-    let mut r = Random::new(8);
-    for i in 0..start.len() {
-        start.positions[i] += Vec3::new(r.normal(), r.normal(), r.normal()) * 0.03;
-        start.log_scales[i] += Vec3::splat(0.2 * r.normal());
-        start.sh[i][0] = start.sh[i][0].map(|c| 0.5 * c + 0.2 * r.normal());
-        start.logit_opacities[i] += 0.5 * r.normal();
-    }
-    (targets, start)
+    (targets, disturbed(truth))
 }
 
 #[test]
