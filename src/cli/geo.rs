@@ -367,10 +367,14 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     sidecars::publish(&mut run.publication, &labels, &placed, &done, args.format.contains(&Format::Kmz))?;
     bar.check()?;
 
+    let mut inputs = [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone()].concat();
+    // The terrain that placed the model may be the ground's as well.
+    let ground_inputs: Vec<_> = ground_inputs.into_iter().filter(|i| !inputs.contains(i)).collect();
+    inputs.extend(ground_inputs);
     let published = run.seal(Evidence {
         event_type: "scene.generate",
         time: reading,
-        inputs: [front.inputs().to_vec(), chosen.inputs, placed.inputs.clone(), ground_inputs].concat(),
+        inputs,
         models: recorded::models(&done.sources, &done.report.device, front.colmap()),
         params: {
             let mut all = recorded::params(args, &settings, &done, &placed, &plan.catalogue, line);

@@ -101,6 +101,7 @@ impl GroundFiles {
     /// What [`cdb::add_ground`] refuses.
     pub fn under(&mut self, store: &dyn cdb::Store, model: &cdb::Model) -> Result<AddedGround> {
         let reach = |level: &cdb::Level| level.mesh.positions.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
+        let (has_terrain, has_colors) = (self.dem.is_some(), self.image.is_some());
         let mut heights = |latitude: f64, longitude: f64| {
             let dem = self.dem.as_mut()?;
             if dem.covers(latitude, longitude) {
@@ -121,8 +122,8 @@ impl GroundFiles {
             marking: &model.marking,
         };
         let ground = Ground {
-            terrain: if self.inputs.iter().any(|i| i.role == "terrain") { Some(&mut heights) } else { None },
-            colors: if self.inputs.iter().any(|i| i.role == "imagery") { Some(&mut colors) } else { None },
+            terrain: if has_terrain { Some(&mut heights) } else { None },
+            colors: if has_colors { Some(&mut colors) } else { None },
             ..ground
         };
         cdb::add_ground(store, ground).map_err(export::format_error)
