@@ -5,7 +5,7 @@
 //! from the finest one's texture at the closest point of its surface, so that levels do not differ in colour.
 
 use super::color::{Linear, to_byte};
-use super::distance::{Bvh, barycentric, barycentric_3d};
+use super::distance::{Bvh, Closest, barycentric, barycentric_3d, within};
 use super::fill::{Surroundings, pad};
 use super::raster::visibility;
 use super::source::{Source, photo_source, rendered_source};
@@ -86,6 +86,9 @@ fn texel_place(uv: Vec2, size: usize) -> Vec2 {
     Vec2::new(uv.x, 1.0 - uv.y) * size as f32
 }
 
+/// Views that are held in memory together.
+const AT_A_TIME: usize = 8;
+
 /// Bakes the finest level.
 pub fn bake(
     mesh: &Mesh,
@@ -100,22 +103,27 @@ pub fn bake(
     let linear = Linear::default();
     let mut sums = vec![[0f32; 4]; texels.len()];
     let cameras = surrounding_cameras(options.color_views, options.color_size);
-    for (done, camera) in cameras.iter().enumerate() {
+    for (done, cameras) in cameras.chunks(AT_A_TIME).enumerate() {
         progress.check()?;
-        let view = rendered(render, camera)?;
-        let seen = visibility(&mesh.positions, &mesh.triangles, &view.camera);
-        let source = rendered_source(&view, &seen, options.background, &linear);
+        let source = |camera: &Camera| {
+            let view = rendered(render, camera)?;
+            let seen = visibility(&mesh.positions, &mesh.triangles, &view.camera);
+            Ok(rendered_source(&view, &seen, options.background, &linear))
+        };
+        let sources = cameras.par_iter().map(source).collect::<Result<Vec<Source>>>()?;
         sums.par_iter_mut().zip(&texels).for_each(|(sum, texel)| {
-            if let Some((at, straight)) = source.sees(texel) {
-                let (color, trust) = source.at(at);
-                let weight = straight.powi(4) * trust;
-                for (sum, c) in sum.iter_mut().zip(color) {
-                    *sum += weight * c;
+            for source in &sources {
+                if let Some((at, straight)) = source.sees(texel) {
+                    let (color, trust) = source.at(at);
+                    let weight = straight.powi(4) * trust;
+                    for (sum, c) in sum.iter_mut().zip(color) {
+                        *sum += weight * c;
+                    }
+                    sum[3] += weight;
                 }
-                sum[3] += weight;
             }
         });
-        progress.step(done as u64 + 1);
+        progress.step((done * AT_A_TIME + cameras.len()) as u64);
     }
     let mut colors = from_views(&texels, &sums);
     let mut from = vec![[0.0; 2]; texels.len()];
@@ -209,20 +217,29 @@ fn with_photos(texels: &[Texel], around: &[[f32; 3]], sources: &[Source]) -> Vec
 pub fn transfer(mesh: &Mesh, size: u32, fine: &Mesh, fine_bvh: &Bvh, fine_baked: &Baked) -> Baked {
     /// Each texel is the mean of this many samples squared.
     const FINER: usize = 2;
+    /// Texels that one thread asks about in turn.
+    const RUN: usize = 256;
+    /// What lies further away and looks the same way is another side.
+    const FAR: f32 = 0.3;
     let size = size as usize;
+    let sample = |texel: &Texel, last: &mut Option<Closest>| {
+        let looks_alike = |t: u32| cross(&fine.positions, &fine.triangles[t as usize]).dot(texel.normal) > 0.0;
+        // The one before lies beside it.
+        let near = within(texel.position, &last.filter(|c| looks_alike(c.triangle)), FAR);
+        *last = fine_bvh.closest(texel.position, near, looks_alike);
+        let found = last.or_else(|| fine_bvh.closest(texel.position, 100.0, |_| true))?;
+        let t = fine.triangles[found.triangle as usize].map(|i| i as usize);
+        let w = barycentric_3d(found.point, t.map(|i| fine.positions[i]));
+        let uv = fine.uvs[t[0]] * w.x + fine.uvs[t[1]] * w.y + fine.uvs[t[2]] * w.z;
+        let (color, shares) = bilinear(fine_baked, uv);
+        let (x, y) = (texel.index as usize % (size * FINER) / FINER, texel.index as usize / (size * FINER) / FINER);
+        Some(((y * size + x) as u32, color, shares))
+    };
     let samples: Vec<(u32, [f32; 3], [f32; 2])> = texels(mesh, size * FINER)
-        .par_iter()
-        .filter_map(|texel| {
-            let looks_alike = |t: u32| cross(&fine.positions, &fine.triangles[t as usize]).dot(texel.normal) > 0.0;
-            let found = fine_bvh
-                .closest(texel.position, 0.3, looks_alike)
-                .or_else(|| fine_bvh.closest(texel.position, 100.0, |_| true))?;
-            let t = fine.triangles[found.triangle as usize].map(|i| i as usize);
-            let w = barycentric_3d(found.point, t.map(|i| fine.positions[i]));
-            let uv = fine.uvs[t[0]] * w.x + fine.uvs[t[1]] * w.y + fine.uvs[t[2]] * w.z;
-            let (color, shares) = bilinear(fine_baked, uv);
-            let (x, y) = (texel.index as usize % (size * FINER) / FINER, texel.index as usize / (size * FINER) / FINER);
-            Some(((y * size + x) as u32, color, shares))
+        .par_chunks(RUN)
+        .flat_map_iter(|texels| {
+            let mut last = None;
+            texels.iter().filter_map(move |texel| sample(texel, &mut last))
         })
         .collect();
     let mut sums = vec![([0f32; 3], [0f32; 2], 0f32); size * size];

@@ -171,9 +171,26 @@ pub fn barycentric_3d(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
 
 /// Largest and mean distance from `points` to a mesh.
 pub fn farthest(points: &[Vec3], bvh: &Bvh) -> (f32, f32) {
-    let distances: Vec<f32> = points.par_iter().map(|p| bvh.distance(*p)).collect();
+    /// Points that one thread asks about in turn: neighbours have neighbours.
+    const RUN: usize = 256;
+    let distances: Vec<f32> = points
+        .par_chunks(RUN)
+        .flat_map_iter(|points| {
+            let mut last = None;
+            points.iter().map(move |p| {
+                last = bvh.closest(*p, within(*p, &last, f32::MAX.sqrt()), |_| true);
+                last.map_or(f32::INFINITY, |c| c.distance)
+            })
+        })
+        .collect();
     let mean = distances.iter().map(|d| *d as f64).sum::<f64>() / distances.len().max(1) as f64;
     (distances.iter().copied().fold(0.0, f32::max), mean as f32)
+}
+
+/// How far from `p` to look at most, when the last point found lies on a triangle that may be found again.
+pub fn within(p: Vec3, last: &Option<Closest>, limit: f32) -> f32 {
+    // A little more, as the distance to that triangle is rounded otherwise.
+    last.map_or(limit, |c| (p.distance(c.point) * 1.0001 + 1e-6).min(limit))
 }
 
 /// Vertices, edge middles and face centres, every `step`th: where distances are taken.

@@ -5,7 +5,7 @@
 //! along the filtered normals of its faces onto their planes (equation 8).
 
 use super::{Surface, cross};
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use rayon::prelude::*;
 
 /// How far and how often.
@@ -31,30 +31,25 @@ impl Default for Flattening {
 pub fn flatten(surface: &mut Surface, how: &Flattening, ground: Option<f32>) {
     let faces = &surface.triangles;
     let around = Around::new(surface.positions.len(), faces);
-    let areas_and_normals: Vec<(f32, Vec3)> = faces
-        .par_iter()
-        .map(|t| {
-            let n = cross(&surface.positions, t);
-            (n.length(), n.normalize_or_zero())
-        })
-        .collect();
-    let areas: Vec<f32> = areas_and_normals.iter().map(|a| a.0).collect();
-    let mut normals: Vec<Vec3> = areas_and_normals.iter().map(|a| a.1).collect();
+    let mut normals: Vec<Vec3> = faces.par_iter().map(|t| cross(&surface.positions, t).normalize_or_zero()).collect();
+    let areas: Vec<f32> = faces.par_iter().map(|t| cross(&surface.positions, t).length()).collect();
+    // Side by side with the area, so that a face is one place in memory.
+    let mut sized: Vec<Vec4> = normals.iter().zip(&areas).map(|(n, a)| n.extend(*a)).collect();
     for _ in 0..how.normal_rounds {
-        normals = (0..faces.len())
-            .into_par_iter()
-            .map(|f| {
-                let own = normals[f];
-                let corners = faces[f].iter().flat_map(|&v| around.faces(v));
-                let sum: Vec3 = corners
-                    .map(|&g| {
-                        let alike = (own.dot(normals[g as usize]) - how.edge).max(0.0);
-                        areas[g as usize] * alike * alike * normals[g as usize]
-                    })
-                    .sum();
-                sum.try_normalize().unwrap_or(own)
+        faces
+            .par_iter()
+            .zip(&sized)
+            .map(|(t, own)| {
+                let mut sum = Vec3::ZERO;
+                for g in t.iter().flat_map(|v| around.faces(*v)) {
+                    let other = sized[*g as usize];
+                    let alike = (own.truncate().dot(other.truncate()) - how.edge).max(0.0);
+                    sum += other.w * alike * alike * other.truncate();
+                }
+                sum.try_normalize().unwrap_or(own.truncate())
             })
-            .collect();
+            .collect_into_vec(&mut normals);
+        sized.par_iter_mut().zip(&normals).for_each(|(s, n)| *s = n.extend(s.w));
     }
     let start = surface.positions.clone();
     let on_ground = |p: Vec3| ground.is_some_and(|g| p.z <= g);

@@ -271,21 +271,9 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
     let mut volume =
         Volume { origin, voxel, dims, truncation, data: vec![truncation; dims[0] * dims[1] * dims[2]], noise };
     let grid = Volume { data: Vec::new(), ..volume.clone() };
-    volume.data.par_chunks_mut(dims[0] * dims[1]).enumerate().for_each(|(z, slice)| {
-        // The grid's rim stays outside, so that every surface is closed.
-        if z == 0 || z + 1 == dims[2] {
-            return;
-        }
-        let mut sums = vec![[0f32; 2]; dims[0]];
-        for (y, row) in slice.chunks_mut(dims[0]).enumerate().skip(1).take(dims[1].saturating_sub(2)) {
-            sums.fill([0.0; 2]);
-            for map in maps {
-                accumulate(map, &grid, softening, [y, z], &mut sums);
-            }
-            for (x, value) in row.iter_mut().enumerate().skip(1).take(dims[0].saturating_sub(2)) {
-                *value = grid.value(sums[x], x, y, z);
-            }
-        }
+    let views: Vec<Fused> = maps.iter().map(|m| Fused::new(m, &grid, softening)).collect();
+    volume.data.par_chunks_mut(dims[0] * dims[1] * SLAB).enumerate().for_each(|(k, slices)| {
+        fuse_slab(&views, &grid, k * SLAB, slices);
     });
     // Gauss-like smoothing as wide as the noise: one round of [1 2 1] / 4 has a variance of half a voxel².
     let rounds = (2.0 * (noise / voxel).powi(2)).round().min(6.0) as usize;
@@ -316,32 +304,160 @@ fn smooth(volume: &mut Volume) {
     });
 }
 
-/// Adds what one view says of a row of samples.
-fn accumulate(map: &DepthMap, grid: &Volume, softening: f32, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
-    let c = &map.camera;
-    let (voxel, truncation) = (grid.voxel, grid.truncation);
-    let start = c.rotation * grid.position(0, y, z) + c.translation;
-    let step = c.rotation.x_axis * voxel;
-    let through = SEEN_THROUGH * if c.position().z < BELOW * c.position().length() { 0.5 } else { 1.0 };
-    let sheet = SHEET * voxel + SOFT * grid.noise;
-    for (x, sum) in sums.iter_mut().enumerate() {
-        let (distance, weight) = match map.distance(start + step * x as f32) {
-            None => continue,
-            Some(Sight::Through(trust)) => (truncation, through * trust),
-            Some(Sight::Surface(d, straight)) => {
-                let d = d - sheet;
-                if d > truncation {
-                    (truncation, through)
-                } else if d < -truncation {
-                    (-truncation, HIDDEN)
-                } else {
-                    let near = softening / (d.abs() + softening);
-                    (d, 4.0 * near * near * straight * straight)
+/// Samples along the sides of the blocks that a view is asked about as a whole: across, and up.
+const BLOCK: usize = 8;
+const SLAB: usize = 4;
+
+/// Slices of samples from `bottom` on. The grid's rim stays outside, so that every surface is closed.
+fn fuse_slab(views: &[Fused], grid: &Volume, bottom: usize, slices: &mut [f32]) {
+    let [nx, ny, nz] = grid.dims;
+    let inner = |from: usize, size: usize, n: usize| from.max(1)..(from + size).min(n.saturating_sub(1));
+    let zs = inner(bottom, SLAB, nz);
+    let mut sums = Vec::with_capacity(BLOCK * BLOCK * SLAB);
+    for (y, x) in (0..ny).step_by(BLOCK).flat_map(|y| (0..nx).step_by(BLOCK).map(move |x| (y, x))) {
+        let block = [inner(x, BLOCK, nx), inner(y, BLOCK, ny), zs.clone()];
+        let rows = || block[2].clone().flat_map(|z| block[1].clone().map(move |y| (y, z)));
+        let width = block[0].len();
+        if width == 0 {
+            continue;
+        }
+        sums.clear();
+        sums.resize(width * rows().count(), [0f32; 2]);
+        for view in views {
+            match view.of_block(grid, &block) {
+                Whole::Nothing => {}
+                Whole::Same([sum, weight]) => sums.iter_mut().for_each(|s| *s = [s[0] + sum, s[1] + weight]),
+                Whole::Mixed => {
+                    for ((y, z), sums) in rows().zip(sums.chunks_exact_mut(width)) {
+                        view.accumulate(grid, block[0].start, [y, z], sums);
+                    }
                 }
             }
+        }
+        for ((y, z), sums) in rows().zip(sums.chunks_exact(width)) {
+            let row = ((z - bottom) * ny + y) * nx;
+            for (x, sums) in block[0].clone().zip(sums) {
+                slices[row + x] = grid.value(*sums, x, y, z);
+            }
+        }
+    }
+}
+
+/// What one view says of a whole block of samples.
+enum Whole {
+    /// It lies outside the picture.
+    Nothing,
+    /// Of each sample the same: weighted distance, and weight.
+    Same([f32; 2]),
+    Mixed,
+}
+
+/// Pixels along the sides of the squares that bounds are kept for.
+const SQUARE: usize = 4;
+
+/// A view that is being fused.
+struct Fused<'a> {
+    map: &'a DepthMap,
+    softening: f32,
+    /// Weight of seeing through.
+    through: f32,
+    sheet: f32,
+    across: usize,
+    /// Of each square: what is nearer than the first lies in front of the surface, or is seen through, by more than the
+    /// truncation; what is further away than the second lies behind it by more.
+    bounds: Vec<[f32; 2]>,
+}
+
+impl<'a> Fused<'a> {
+    fn new(map: &'a DepthMap, grid: &Volume, softening: f32) -> Self {
+        /// What rounding may make of depths, scene units.
+        const ROUNDING: f32 = 1e-4;
+        let c = &map.camera;
+        let through = SEEN_THROUGH * if c.position().z < BELOW * c.position().length() { 0.5 } else { 1.0 };
+        let sheet = SHEET * grid.voxel + SOFT * grid.noise;
+        let bounds_of = |t: &[f32; 4]| {
+            if t[0] == 0.0 {
+                return [if t[3] == 1.0 { f32::INFINITY } else { f32::NEG_INFINITY }, f32::INFINITY];
+            }
+            let slope = (t[1].abs() + t[2].abs()) / 2.0 + ROUNDING;
+            [t[0] - slope - (grid.truncation + sheet) / t[3], t[0] + slope + (grid.truncation - sheet).max(0.0) / t[3]]
         };
-        sum[0] += weight * distance;
-        sum[1] += weight;
+        let (width, height) = (c.width as usize, c.height as usize);
+        let across = width.div_ceil(SQUARE);
+        let mut bounds = vec![[f32::INFINITY, f32::NEG_INFINITY]; across * height.div_ceil(SQUARE)];
+        for (i, t) in map.texels.iter().enumerate() {
+            let (x, y) = (i % width, i / width);
+            let ([near, far], square) = (bounds_of(t), &mut bounds[y / SQUARE * across + x / SQUARE]);
+            *square = [square[0].min(near), square[1].max(far)];
+        }
+        Fused { map, softening, through, sheet, across, bounds }
+    }
+
+    /// The block's projection lies in the box around those of its corners.
+    fn of_block(&self, grid: &Volume, block: &[std::ops::Range<usize>; 3]) -> Whole {
+        /// Pixels that rounding may move a projection.
+        const ROUNDING: f32 = 0.01;
+        let c = &self.map.camera;
+        let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for corner in 0..8 {
+            let at = |k: usize| if corner >> k & 1 == 0 { block[k].start } else { block[k].end - 1 };
+            let p = c.rotation * grid.position(at(0), at(1), at(2)) + c.translation;
+            if p.z <= 0.01 {
+                return Whole::Mixed;
+            }
+            let q = Vec3::new(c.fx * p.x / p.z + c.cx, c.fy * p.y / p.z + c.cy, p.z);
+            (lo, hi) = (lo.min(q), hi.max(q));
+        }
+        let (width, height) = (c.width as f32, c.height as f32);
+        if hi.x < -ROUNDING || hi.y < -ROUNDING || lo.x > width + ROUNDING || lo.y > height + ROUNDING {
+            return Whole::Nothing;
+        }
+        if lo.x < ROUNDING || lo.y < ROUNDING || hi.x > width - ROUNDING || hi.y > height - ROUNDING {
+            return Whole::Mixed;
+        }
+        let squares = |lo: f32, hi: f32| (lo - ROUNDING) as usize / SQUARE..=(hi + ROUNDING) as usize / SQUARE;
+        let (mut front, mut behind) = (true, true);
+        for y in squares(lo.y, hi.y) {
+            for x in squares(lo.x, hi.x) {
+                let [near, far] = self.bounds[y * self.across + x];
+                front &= hi.z < near;
+                behind &= lo.z > far;
+            }
+            if !front && !behind {
+                return Whole::Mixed;
+            }
+        }
+        match front {
+            true => Whole::Same([self.through * grid.truncation, self.through]),
+            false => Whole::Same([-HIDDEN * grid.truncation, HIDDEN]),
+        }
+    }
+
+    /// Adds what the view says of a row of samples from `x` on.
+    fn accumulate(&self, grid: &Volume, x: usize, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
+        let c = &self.map.camera;
+        let truncation = grid.truncation;
+        let start = c.rotation * grid.position(0, y, z) + c.translation;
+        let step = c.rotation.x_axis * grid.voxel;
+        for (x, sum) in (x..).zip(sums) {
+            let (distance, weight) = match self.map.distance(start + step * x as f32) {
+                None => continue,
+                Some(Sight::Through(trust)) => (truncation, self.through * trust),
+                Some(Sight::Surface(d, straight)) => {
+                    let d = d - self.sheet;
+                    if d > truncation {
+                        (truncation, self.through)
+                    } else if d < -truncation {
+                        (-truncation, HIDDEN)
+                    } else {
+                        let near = self.softening / (d.abs() + self.softening);
+                        (d, 4.0 * near * near * straight * straight)
+                    }
+                }
+            };
+            sum[0] += weight * distance;
+            sum[1] += weight;
+        }
     }
 }
 

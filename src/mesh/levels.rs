@@ -14,6 +14,9 @@ use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::{Error, Result};
 use glam::Vec3;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 pub(super) fn build(
     render: &(dyn Fn(&Camera) -> View + Sync),
@@ -90,35 +93,38 @@ fn solid(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Solid> {
-    let mut maps = Vec::with_capacity(options.views);
-    for (done, camera) in surrounding_cameras(options.views, options.view_size).iter().enumerate() {
+    let done = AtomicU64::new(0);
+    let map = |camera: &Camera| {
         progress.check()?;
-        maps.push(DepthMap::new(&rendered(render, camera)?));
-        progress.step(done as u64 + 1);
-    }
+        let map = DepthMap::new(&rendered(render, camera)?);
+        progress.step(done.fetch_add(1, Ordering::Relaxed) + 1);
+        Ok(map)
+    };
+    let cameras = surrounding_cameras(options.views, options.view_size);
+    let mut maps = cameras.par_iter().map(map).collect::<Result<Vec<DepthMap>>>()?;
     // The photos' own views: they make room in the grid for what only they show.
     let shown = photos.iter().map(|p| rendered(render, &p.camera)).collect::<Result<Vec<View>>>()?;
-    maps.extend(shown.iter().map(DepthMap::new));
+    maps.par_extend(shown.par_iter().map(DepthMap::new));
     let mut volume = fuse(&maps, options.voxels)?;
     drop(maps);
     progress.check()?;
     clean::thin_thick_parts(&mut volume);
     let mut without = volume.clone();
     let restored = photos.iter().zip(&shown).map(|(p, v)| thin::restore(&mut volume, v, p.mask)).sum::<usize>();
-    clean::fill_cavities(&mut volume);
-    clean::keep_what_belongs(&mut volume);
-    if options.cut_off_below {
-        clean::square_foot(&mut volume);
-    }
-    let ground = clean::flatten_ground(&mut volume);
+    let one_solid = |volume: &mut Volume| {
+        clean::fill_cavities(volume);
+        clean::keep_what_belongs(volume);
+        if options.cut_off_below {
+            clean::square_foot(volume);
+        }
+    };
     if restored == 0 {
+        one_solid(&mut volume);
+        let ground = clean::flatten_ground(&mut volume);
         return Ok(Solid { volume, ground, without: None });
     }
-    clean::fill_cavities(&mut without);
-    clean::keep_what_belongs(&mut without);
-    if options.cut_off_below {
-        clean::square_foot(&mut without);
-    }
+    rayon::join(|| one_solid(&mut volume), || one_solid(&mut without));
+    let ground = clean::flatten_ground(&mut volume);
     Ok(Solid { volume, ground, without: Some(without) })
 }
 
@@ -143,21 +149,35 @@ const FEWEST: usize = 24;
 
 /// Level by level, each from the finest surface, unwrapped, none over its cap.
 fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dyn Progress) -> Result<Vec<Mesh>> {
-    let mut simplifier = Simplifier::new(surface);
-    let mut coarser: Option<Solid> = None;
-    let mut meshes = Vec::new();
     // With few triangles asked for, coarse levels would be next to nothing.
     let worth = |level: &usize| *level == 0 || options.target(*level) >= FEWEST;
-    for level in (0..options.levels).take_while(worth) {
-        progress.check()?;
-        let size = options.texture_size[level];
-        let texels = 0.65 * (size as f32).powi(2);
-        let caps = (options.vertex_caps[level], options.target(level));
-        let (surface, charts) = fit(&mut simplifier, caps, texels, solid, &mut coarser)?;
-        let atlas = pack::pack(&charts, size)?;
-        meshes.push(assemble(&surface, &charts, &atlas.uv));
-        progress.step(level as u64 + 1);
-    }
+    let levels = (0..options.levels).take_while(worth).count();
+    let mut meshes = from_level(0..levels, Simplifier::new(surface), None, solid, options, progress)?;
+    meshes.reverse();
+    Ok(meshes)
+}
+
+/// The levels, coarsest first. While one is packed, the next is already being made.
+fn from_level(
+    mut levels: Range<usize>,
+    mut simplifier: Simplifier,
+    mut coarser: Option<Solid>,
+    solid: &Solid,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Vec<Mesh>> {
+    let Some(level) = levels.next() else { return Ok(Vec::new()) };
+    progress.check()?;
+    let size = options.texture_size[level];
+    let texels = 0.65 * (size as f32).powi(2);
+    let caps = (options.vertex_caps[level], options.target(level));
+    let (surface, charts) = fit(&mut simplifier, caps, texels, solid, &mut coarser)?;
+    let packed = || Ok(assemble(&surface, &charts, &pack::pack(&charts, size)?.uv));
+    let next = || from_level(levels, simplifier, coarser, solid, options, progress);
+    let (mesh, rest) = rayon::join(packed, next);
+    let (mesh, mut meshes) = (mesh?, rest?);
+    meshes.push(mesh);
+    progress.step(level as u64 + 1);
     Ok(meshes)
 }
 

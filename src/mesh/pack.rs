@@ -5,6 +5,7 @@ use super::unwrap::{Chart, cells_inside};
 use crate::{Error, Result};
 use glam::Vec2;
 use rayon::prelude::*;
+use std::cmp::Reverse;
 
 /// Texels kept free around each chart; two neighbours are twice as far apart.
 pub const PADDING: f32 = 1.5;
@@ -64,33 +65,112 @@ impl Bits {
     }
     /// Takes the cells of `shape` at (x, y), or gives them back if they are taken.
     fn toggle(&mut self, shape: &Bits, x: usize, y: usize) {
+        let (skip, bit) = (x / 64, x % 64);
         for oy in 0..shape.height {
-            for ox in 0..shape.width {
-                if shape.get(ox, oy) {
-                    self.rows[(y + oy) * self.words + (x + ox) / 64] ^= 1 << ((x + ox) % 64);
+            let row = &mut self.rows[(y + oy) * self.words..(y + oy + 1) * self.words];
+            for (w, word) in shape.rows[oy * shape.words..(oy + 1) * shape.words].iter().enumerate() {
+                row[skip + w] ^= word << bit;
+                if bit > 0 && word >> (64 - bit) != 0 {
+                    row[skip + w + 1] ^= word >> (64 - bit);
                 }
+            }
+        }
+    }
+    /// Where the run of taken cells of row `y` that cell `x` is in starts.
+    fn start_of_run(&self, x: usize, y: usize) -> usize {
+        let row = &self.rows[y * self.words..(y + 1) * self.words];
+        let mut start = x;
+        // Cells 0..=start % 64 of the word, shifted to its top.
+        loop {
+            let ones = (row[start / 64] << (63 - start % 64)).leading_ones() as usize;
+            if ones <= start % 64 || start < 64 {
+                return start + 1 - ones;
+            }
+            start -= ones;
+            if row[start / 64] >> 63 == 0 {
+                return start + 1;
             }
         }
     }
     fn free(&self, shape: &Bits, x: usize, y: usize) -> bool {
         (0..shape.height).all(|oy| self.last_clash(y + oy, shape, oy, x).is_none())
     }
+    /// The longest run of cells in row `y` that are all taken, or all free.
+    fn longest_run(&self, y: usize, taken: bool) -> usize {
+        let row = &self.rows[y * self.words..(y + 1) * self.words];
+        let (mut longest, mut run) = (0, 0);
+        for (w, word) in row.iter().enumerate() {
+            let cells = (self.width - w * 64).min(64);
+            let word = if taken { *word } else { !word };
+            let mut at = 0;
+            while at < cells {
+                let rest = word >> at;
+                if rest & 1 == 0 {
+                    (run, at) = (0, at + (rest.trailing_zeros() as usize).min(64 - at));
+                } else {
+                    let more = (rest.trailing_ones() as usize).min(cells - at);
+                    (run, at) = (run + more, at + more);
+                    longest = longest.max(run);
+                }
+            }
+        }
+        longest
+    }
+}
+
+/// A chart's outline.
+struct Shape {
+    bits: Bits,
+    /// Its rows, those with the longest runs of cells first: they clash soonest, and lead furthest on.
+    order: Vec<u32>,
+    /// The longest run of cells of each row.
+    runs: Vec<u32>,
+}
+
+impl Shape {
+    fn new(bits: Bits) -> Self {
+        let runs: Vec<u32> = (0..bits.height).map(|y| bits.longest_run(y, true) as u32).collect();
+        let mut order: Vec<u32> = (0..bits.height as u32).collect();
+        order.sort_by_key(|y| (Reverse(runs[*y as usize]), *y));
+        Shape { bits, order, runs }
+    }
+}
+
+/// A texture being filled.
+struct Filling {
+    taken: Bits,
+    /// The longest run of free cells of each row.
+    room: Vec<u32>,
+}
+
+impl Filling {
+    fn new(cells: usize) -> Self {
+        Filling { taken: Bits::new(cells, cells), room: vec![cells as u32; cells] }
+    }
+
+    fn put(&mut self, shape: &Bits, x: usize, y: usize) {
+        self.taken.toggle(shape, x, y);
+        for y in y..y + shape.height {
+            self.room[y] = self.taken.longest_run(y, false) as u32;
+        }
+    }
+
     /// The lowest, then leftmost place where `shape` fits and ends at row `below` or before.
-    fn place(&self, shape: &Bits, below: usize) -> Option<(usize, usize)> {
-        if shape.width > self.width || shape.height > self.height.min(below) {
+    fn place(&self, shape: &Shape, below: usize) -> Option<(usize, usize)> {
+        let (bits, taken) = (&shape.bits, &self.taken);
+        if bits.width > taken.width || bits.height > taken.height.min(below) {
             return None;
         }
-        for y in 0..=self.height.min(below) - shape.height {
+        for y in 0..=taken.height.min(below) - bits.height {
+            if shape.runs.iter().zip(&self.room[y..]).any(|(run, room)| run > room) {
+                continue;
+            }
             let mut x = 0;
-            'next: while x + shape.width <= self.width {
-                for oy in 0..shape.height {
-                    if let Some(taken) = self.last_clash(y + oy, shape, oy, x) {
+            'next: while x + bits.width <= taken.width {
+                for oy in shape.order.iter().map(|oy| *oy as usize) {
+                    if let Some(last) = taken.last_clash(y + oy, bits, oy, x) {
                         // Until the run of cells that hit it has passed, nothing can fit.
-                        let mut start = taken - x;
-                        while start > 0 && shape.get(start - 1, oy) {
-                            start -= 1;
-                        }
-                        x = taken - start + 1;
+                        x = last - bits.start_of_run(last - x, oy) + 1;
                         continue 'next;
                     }
                 }
@@ -214,9 +294,9 @@ fn orders(shapes: &[&Bits]) -> Vec<Vec<usize>> {
 fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<Place>> {
     // With many charts the other ways hardly help and cost most.
     let ways = if charts.len() <= 64 { 8 } else { 2 };
-    let shapes: Vec<Vec<Bits>> =
-        charts.par_iter().map(|c| (0..ways).map(|k| outline(c, Turn::nth(k), scale, cell)).collect()).collect();
-    let upright: Vec<&Bits> = shapes.iter().map(|s| &s[0]).collect();
+    let shape = |c: &Chart, k: usize| Shape::new(outline(c, Turn::nth(k), scale, cell));
+    let shapes: Vec<Vec<Shape>> = charts.par_iter().map(|c| (0..ways).map(|k| shape(c, k)).collect()).collect();
+    let upright: Vec<&Bits> = shapes.iter().map(|s| &s[0].bits).collect();
     let cells = (size as f32 / cell) as usize;
     if upright.iter().map(|s| s.count()).sum::<usize>() > cells * cells {
         return None;
@@ -224,21 +304,22 @@ fn place_all(charts: &[Chart], size: u32, cell: f32, scale: f32) -> Option<Vec<P
     orders(&upright).par_iter().find_map_first(|order| place_in_order(&shapes, order, cells))
 }
 
-fn place_in_order(shapes: &[Vec<Bits>], order: &[usize], cells: usize) -> Option<Vec<Place>> {
-    let mut atlas = Bits::new(cells, cells);
+fn place_in_order(shapes: &[Vec<Shape>], order: &[usize], cells: usize) -> Option<Vec<Place>> {
+    let mut atlas = Filling::new(cells);
     let mut places = vec![Place::default(); shapes.len()];
     for &i in order {
         // The way that ends lowest, then leftmost.
         let mut best: Option<(usize, usize, usize)> = None;
         for (k, shape) in shapes[i].iter().enumerate() {
             if let Some((x, y)) = atlas.place(shape, best.map_or(cells, |b| b.0)) {
-                let found = (y + shape.height, x, k);
+                let found = (y + shape.bits.height, x, k);
                 best = Some(best.map_or(found, |b| b.min(found)));
             }
         }
         let (top, x, k) = best?;
-        let y = top - shapes[i][k].height;
-        atlas.toggle(&shapes[i][k], x, y);
+        let shape = &shapes[i][k].bits;
+        let y = top - shape.height;
+        atlas.put(shape, x, y);
         places[i] = Place { x, y, turn: Turn::nth(k), growth: 1.0 };
     }
     Some(places)
@@ -256,22 +337,25 @@ fn grown(charts: &[Chart], mut places: Vec<Place>, size: u32, cell: f32, scale: 
     }
     let mut growing: Vec<usize> = (0..charts.len()).collect();
     while !growing.is_empty() {
-        growing.retain(|&i| {
+        let step = |i: usize| {
+            let growth = places[i].growth * GROWTH_STEP;
+            (growth <= GROWTH).then(|| (growth, outline(&charts[i], places[i].turn, scale * growth, cell)))
+        };
+        let larger: Vec<Option<(f32, Bits)>> = growing.par_iter().map(|i| step(*i)).collect();
+        let mut still = Vec::with_capacity(growing.len());
+        for (i, larger) in growing.into_iter().zip(larger) {
+            let Some((growth, larger)) = larger else { continue };
             let place = places[i];
-            let growth = place.growth * GROWTH_STEP;
-            if growth > GROWTH {
-                return false;
-            }
-            let larger = outline(&charts[i], place.turn, scale * growth, cell);
             atlas.toggle(&shapes[i], place.x, place.y);
             let room = nearby(&place, &shapes[i], &larger, cells).find(|&(x, y)| atlas.free(&larger, x, y));
             if let Some((x, y)) = room {
                 shapes[i] = larger;
                 places[i] = Place { x, y, growth, ..place };
+                still.push(i);
             }
             atlas.toggle(&shapes[i], places[i].x, places[i].y);
-            room.is_some()
-        });
+        }
+        growing = still;
     }
     places
 }

@@ -7,7 +7,8 @@
 use super::Surface;
 use super::clean::without_unused;
 use glam::{DMat3, DVec3};
-use std::cmp::{Ordering, Reverse};
+use rayon::prelude::*;
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Σ w (n·p + d)² as p'Ap + 2b'p + c.
@@ -58,31 +59,42 @@ impl Quadric {
     }
 }
 
-struct Candidate {
-    cost: f64,
-    vertices: [u32; 2],
-    stamps: [u32; 2],
+/// An edge: its cost, a non-negative number's bits (which sort as it does), its vertices and how often each had moved.
+type Candidate = (u64, [u32; 2], [u32; 2]);
+
+/// Candidates, cheapest first. What costs `bound` or more is not sorted before its time: most of it never is.
+#[derive(Default)]
+struct Queue {
+    near: BinaryHeap<Reverse<Candidate>>,
+    far: Vec<Candidate>,
+    bound: u64,
 }
-impl Candidate {
-    fn key(&self) -> (f64, [u32; 2], [u32; 2]) {
-        (self.cost, self.vertices, self.stamps)
+
+impl Queue {
+    fn push(&mut self, candidate: Candidate) {
+        match candidate.0 < self.bound {
+            true => self.near.push(Reverse(candidate)),
+            false => self.far.push(candidate),
+        }
     }
-}
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Candidate {}
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let (a, b) = (self.key(), other.key());
-        a.0.total_cmp(&b.0).then_with(|| (a.1, a.2).cmp(&(b.1, b.2)))
+
+    /// `valid`: whether a candidate still means anything; others may be left out.
+    fn pop(&mut self, valid: impl Fn(&Candidate) -> bool) -> Option<Candidate> {
+        /// Sorted at a time.
+        const SOME: usize = 4096;
+        if self.near.is_empty() {
+            self.far.retain(valid);
+            let some = self.far.len().min(SOME.max(self.far.len() / 16));
+            if some > 0 {
+                let (_, last, _) = self.far.select_nth_unstable(some - 1);
+                self.bound = last.0.saturating_add(1);
+            }
+            // Of candidates that cost the same as the last one, all.
+            let bound = self.bound;
+            let near: Vec<Reverse<Candidate>> = self.far.extract_if(.., |c| c.0 < bound).map(Reverse).collect();
+            self.near = near.into();
+        }
+        self.near.pop().map(|Reverse(candidate)| candidate)
     }
 }
 
@@ -95,7 +107,7 @@ pub struct Simplifier {
     faces_of: Vec<Vec<u32>>,
     stamps: Vec<u32>,
     vertices_left: usize,
-    heap: BinaryHeap<Reverse<Candidate>>,
+    queue: Queue,
     /// Cosine that a face's normal must keep through a collapse.
     turn: f64,
 }
@@ -130,7 +142,7 @@ impl Simplifier {
             positions,
             quadrics,
             faces_of,
-            heap: BinaryHeap::new(),
+            queue: Queue::default(),
             turn: 0.2,
         };
         simplifier.refill();
@@ -142,25 +154,20 @@ impl Simplifier {
     }
 
     fn refill(&mut self) {
-        self.heap.clear();
-        for f in 0..self.faces.len() {
-            if self.alive[f] {
-                let t = self.faces[f];
-                for k in 0..3 {
-                    let (a, b) = (t[k], t[(k + 1) % 3]);
-                    if a < b {
-                        self.push(a, b);
-                    }
-                }
-            }
-        }
+        let now = &*self;
+        let alive = (0..now.faces.len()).into_par_iter().filter(|f| now.alive[*f]);
+        let far = alive.flat_map_iter(|f| {
+            let [a, b, c] = now.faces[f];
+            [(a, b), (b, c), (c, a)].into_iter().filter(|(a, b)| a < b).map(|(a, b)| now.candidate(a, b))
+        });
+        self.queue = Queue { far: far.collect(), ..Queue::default() };
     }
 
-    fn push(&mut self, a: u32, b: u32) {
+    fn candidate(&self, a: u32, b: u32) -> Candidate {
         let (a, b) = (a.min(b), a.max(b));
         let (_, cost) = self.target(a as usize, b as usize);
-        let stamps = [self.stamps[a as usize], self.stamps[b as usize]];
-        self.heap.push(Reverse(Candidate { cost, vertices: [a, b], stamps }));
+        // No −0.
+        ((cost + 0.0).to_bits(), [a, b], [self.stamps[a as usize], self.stamps[b as usize]])
     }
 
     /// Where two vertices become one, and what that costs.
@@ -176,7 +183,9 @@ impl Simplifier {
     pub fn reduce_to(&mut self, vertices: usize) -> bool {
         let mut collapsed_since_refill = true;
         while self.vertices_left > vertices {
-            let Some(Reverse(next)) = self.heap.pop() else {
+            let stamps = &self.stamps;
+            let fresh = |c: &Candidate| c.1.map(|v| stamps[v as usize]) == c.2;
+            let Some((_, vertices, stamps_then)) = self.queue.pop(fresh) else {
                 // What was refused may be possible now; then with less care about turning faces; then never.
                 if !collapsed_since_refill {
                     if self.turn < 0.0 {
@@ -188,8 +197,8 @@ impl Simplifier {
                 self.refill();
                 continue;
             };
-            let [a, b] = next.vertices.map(|v| v as usize);
-            if [self.stamps[a], self.stamps[b]] != next.stamps {
+            let [a, b] = vertices.map(|v| v as usize);
+            if [self.stamps[a], self.stamps[b]] != stamps_then {
                 continue;
             }
             collapsed_since_refill |= self.collapse(a, b);
@@ -244,7 +253,8 @@ impl Simplifier {
         self.stamps[a] += 1;
         self.ring(a, &mut ring_a);
         for &v in &ring_a {
-            self.push(a as u32, v);
+            let candidate = self.candidate(a as u32, v);
+            self.queue.push(candidate);
         }
         true
     }

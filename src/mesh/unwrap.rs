@@ -7,6 +7,7 @@ use super::relax::relax;
 use super::smooth::corner_angle;
 use super::{Mesh, Surface, cross};
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -194,6 +195,14 @@ pub fn charts(surface: &Surface, bend: &Bend, resolution: f32) -> Vec<Chart> {
         groups[c as usize].push(f as u32);
     }
     let texel = (surface.area() as f32 / resolution.max(1.0)).sqrt().max(1e-9);
+    let mut result: Vec<Chart> = groups.into_par_iter().flat_map_iter(|faces| flattened(surface, faces, texel)).collect();
+    result.sort_by_key(|c| c.faces.iter().min().copied());
+    result
+}
+
+/// One group of faces as a chart, or as several where it would cover itself.
+fn flattened(surface: &Surface, faces: Vec<u32>, texel: f32) -> Vec<Chart> {
+    let mut groups = vec![faces];
     let mut result = Vec::new();
     while let Some(mut faces) = groups.pop() {
         faces.sort_unstable();
@@ -209,7 +218,6 @@ pub fn charts(surface: &Surface, bend: &Bend, resolution: f32) -> Vec<Chart> {
             None => result.push(chart),
         }
     }
-    result.sort_by_key(|c| c.faces.iter().min().copied());
     result
 }
 
