@@ -168,8 +168,9 @@ fn meshed(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Model> {
+    let drawers = splat::render::Drawers::new(gaussians);
     let render = |camera: &Camera| {
-        let frame = splat::render(gaussians, camera, GREY);
+        let frame = drawers.render(camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
     let options = mesh::Options {
@@ -373,9 +374,10 @@ fn held_back(size: usize, seed: u64) -> Vec<bool> {
 
 fn render_all(g: &Gaussians, cameras: &[Camera], progress: &dyn Progress) -> Result<Vec<(Camera, Frame)>> {
     let mut out = Vec::with_capacity(cameras.len());
+    let mut drawer = splat::render::Drawer::new(g);
     for camera in cameras {
         progress.check()?;
-        out.push((*camera, splat::render(g, camera, GREY)));
+        out.push((*camera, drawer.render(camera, GREY)));
         progress.step(out.len() as u64);
     }
     Ok(out)

@@ -205,8 +205,10 @@ fn surface(g: &Gaussians, count: usize, progress: &dyn Progress) -> Result<Vec<P
         return Err(Error::usage("the scene").expected("splats around a body").found(format!("a radius of {radius}")));
     }
     let unit = g.transformed(Mat3::IDENTITY, 1.0 / radius, -centre / radius);
+    let drawers = splat::render::Drawers::new(&unit);
+    drop(unit);
     let render = |camera: &Camera| {
-        let frame = splat::render(&unit, camera, GREY);
+        let frame = drawers.render(camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
     let options = mesh::Options { levels: count, background: GREY, ..Default::default() };

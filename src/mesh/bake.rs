@@ -10,7 +10,7 @@ use super::fill::{Surroundings, pad};
 use super::raster::visibility;
 use super::source::{Source, photo_source, rendered_source};
 use super::unwrap::cells_inside;
-use super::{Mesh, Options, PhotoView, View, cross, rendered, seams, surrounding_cameras};
+use super::{AT_A_TIME, Mesh, Options, PhotoView, View, cross, rendered, seams, surrounding_cameras};
 use crate::Result;
 use crate::progress::Progress;
 use crate::splat::Camera;
@@ -85,9 +85,6 @@ pub fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
 fn texel_place(uv: Vec2, size: usize) -> Vec2 {
     Vec2::new(uv.x, 1.0 - uv.y) * size as f32
 }
-
-/// Views that are held in memory together.
-const AT_A_TIME: usize = 8;
 
 /// Bakes the finest level.
 pub fn bake(

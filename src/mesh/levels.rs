@@ -9,14 +9,15 @@ use super::fuse::{DepthMap, Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
-use super::{Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras, thin};
+use super::{
+    AT_A_TIME, Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras, thin,
+};
 use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::{Error, Result};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 pub(super) fn build(
     render: &(dyn Fn(&Camera) -> View + Sync),
@@ -93,15 +94,14 @@ fn solid(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Solid> {
-    let done = AtomicU64::new(0);
-    let map = |camera: &Camera| {
-        progress.check()?;
-        let map = DepthMap::new(&rendered(render, camera)?);
-        progress.step(done.fetch_add(1, Ordering::Relaxed) + 1);
-        Ok(map)
-    };
     let cameras = surrounding_cameras(options.views, options.view_size);
-    let mut maps = cameras.par_iter().map(map).collect::<Result<Vec<DepthMap>>>()?;
+    let mut maps = Vec::with_capacity(options.views + photos.len());
+    for cameras in cameras.chunks(AT_A_TIME) {
+        progress.check()?;
+        let map = |camera: &Camera| Ok(DepthMap::new(&rendered(render, camera)?));
+        maps.extend(cameras.par_iter().map(map).collect::<Result<Vec<DepthMap>>>()?);
+        progress.step(maps.len() as u64);
+    }
     // The photos' own views: they make room in the grid for what only they show.
     let shown = photos.iter().map(|p| rendered(render, &p.camera)).collect::<Result<Vec<View>>>()?;
     maps.par_extend(shown.par_iter().map(DepthMap::new));

@@ -312,6 +312,9 @@ pub(crate) fn surrounding_cameras(count: usize, size: u32) -> Vec<Camera> {
     fibonacci_sphere(count).iter().map(|d| Camera::look_at(*d * VIEW_DISTANCE, Vec3::ZERO, VIEW_FOV, size)).collect()
 }
 
+/// Pictures that are drawn side by side: each may need as much memory as a large scene itself.
+pub(crate) const AT_A_TIME: usize = 4;
+
 /// Distance of the cameras around the subject: a sphere of radius [`SUBJECT_RADIUS`] fills [`VIEW_FOV`].
 pub(crate) const VIEW_DISTANCE: f32 = 4.1;
 pub(crate) const VIEW_FOV: f32 = 30.0 * std::f32::consts::PI / 180.0;

@@ -195,7 +195,8 @@ pub fn charts(surface: &Surface, bend: &Bend, resolution: f32) -> Vec<Chart> {
         groups[c as usize].push(f as u32);
     }
     let texel = (surface.area() as f32 / resolution.max(1.0)).sqrt().max(1e-9);
-    let mut result: Vec<Chart> = groups.into_par_iter().flat_map_iter(|faces| flattened(surface, faces, texel)).collect();
+    let mut result: Vec<Chart> =
+        groups.into_par_iter().flat_map_iter(|faces| flattened(surface, faces, texel)).collect();
     result.sort_by_key(|c| c.faces.iter().min().copied());
     result
 }

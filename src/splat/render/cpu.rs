@@ -1,5 +1,7 @@
 //! The CPU renderer: one picture from a set of Gaussians.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use rayon::prelude::*;
 
 use super::binning::{Bins, TILE};
@@ -27,7 +29,7 @@ pub struct Frame {
 
 /// Draws one set of Gaussians from many cameras: what does not depend on the camera is kept from picture to picture.
 pub struct Drawer {
-    gaussians: Packed,
+    gaussians: Arc<Packed>,
     raster: Raster,
     depths: Vec<TileDepth>,
     /// False leaves a picture's depths empty.
@@ -36,7 +38,11 @@ pub struct Drawer {
 
 impl Drawer {
     pub fn new(g: &Gaussians) -> Self {
-        Drawer { gaussians: Packed::pack(g), raster: Raster::default(), depths: Vec::new(), depth: true }
+        Drawer::of(Arc::new(Packed::pack(g)))
+    }
+
+    fn of(gaussians: Arc<Packed>) -> Self {
+        Drawer { gaussians, raster: Raster::default(), depths: Vec::new(), depth: true }
     }
 
     /// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
@@ -57,6 +63,28 @@ impl Drawer {
         self.raster.bins.build(&self.gaussians, view, 3);
         self.raster.forward(view, depth.then_some(&mut self.depths));
         self.raster.frame(view, background, depth.then_some(self.depths.as_slice()))
+    }
+}
+
+/// [`Drawer`]s of one set of Gaussians, as many as threads draw at a time.
+pub struct Drawers {
+    gaussians: Arc<Packed>,
+    idle: Mutex<Vec<Drawer>>,
+}
+
+impl Drawers {
+    pub fn new(g: &Gaussians) -> Self {
+        Drawers { gaussians: Arc::new(Packed::pack(g)), idle: Mutex::default() }
+    }
+
+    /// As [`Drawer::render`].
+    pub fn render(&self, camera: &Camera, background: [f32; 3]) -> Frame {
+        let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let free = idle().pop();
+        let mut drawer = free.unwrap_or_else(|| Drawer::of(self.gaussians.clone()));
+        let frame = drawer.render(camera, background);
+        idle().push(drawer);
+        frame
     }
 }
 
