@@ -41,9 +41,6 @@ impl Bits {
     fn set(&mut self, x: usize, y: usize) {
         self.rows[y * self.words + x / 64] |= 1 << (x % 64);
     }
-    fn get(&self, x: usize, y: usize) -> bool {
-        self.rows[y * self.words + x / 64] >> (x % 64) & 1 == 1
-    }
     fn count(&self) -> usize {
         self.rows.iter().map(|w| w.count_ones() as usize).sum()
     }
