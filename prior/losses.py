@@ -109,14 +109,18 @@ def mask_iou(logits, alpha):
 CAMERA_WEIGHTS = (0.3, 0.3, 0.3, 0.05)
 
 
-def splat_step(net, pool, n):
-    """Returns loss, figures {name: number} and picture columns, each [n, 3, S, S] in 0..1."""
+def splat_step(net, pool, n, heed=None):
+    """Returns loss, figures {name: number} and picture columns, each [n, 3, S, S] in 0..1.
+
+    `heed` adds what a critic asks for: `critic.Adversary.heeded`.
+    """
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
         splats = net(batch.rgba)
     colour, alpha = render(splats | brought_home(splats, batch), batch.views, batch.alpha.shape[-1])
     background = torch.rand(*batch.colour.shape[:3], 1, 1, device=colour.device)
-    answer = colour + (1 - alpha) * background
+    made = torch.cat([colour + (1 - alpha) * background, alpha], 2)
+    answer, alpha = made[:, :, :3], made[:, :, 3:]
     truth = batch.colour + (1 - batch.alpha) * background
 
     weight = (~batch.empty).float()[:, None, None, None, None]
@@ -138,6 +142,9 @@ def splat_step(net, pool, n):
         "zoom": (splats["camera"] - batch.camera)[:, 0].abs().mean(),
         "el_deg": off,
     }
+    if heed:
+        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), batch.rgba, loss)
+        loss = loss + asked
     columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
 

@@ -9,6 +9,7 @@ file DIR/seconds overrides --seconds and --total while it runs: a machine that i
 """
 
 import argparse
+import functools
 import json
 import math
 import os
@@ -19,6 +20,7 @@ import torch
 import torch.distributed as dist
 from torch.nn.parallel import DistributedDataParallel
 
+from critic import Adversary
 from losses import STEPS
 from nets import NETS, load_weights
 from pictures import save_sheet
@@ -29,6 +31,7 @@ LOG_SECONDS = 20
 STOP_EVERY = 20  # steps between two looks at the clock that all ranks share
 AVERAGE_EVERY = 4
 WARM_UP = 400  # steps
+CRITIC_WARM_UP = 1200  # steps until a critic counts whole
 SPIKE = 6  # times the usual gradient: such a step is left out
 
 
@@ -46,6 +49,7 @@ def arguments():
     )
     parser.add_argument("--dir", default="checkpoints")
     parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
+    parser.add_argument("--critic", type=float, default=0, help="SplatNet: slope of a critic's demand over that of the loss")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--compile", action="store_true", help="compile the network first (a minute, then faster)")
     return parser.parse_args()
@@ -105,6 +109,9 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     take_step = STEPS[args.net]
+    adversary = Adversary() if args.critic and args.net == "splat" else None
+    if adversary:
+        take_step = functools.partial(take_step, heed=adversary.heeded)
     start = logged = kept = time.time()
     seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
@@ -115,6 +122,8 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
             seconds, total = told(os.path.join(args.dir, "seconds"), seconds, total)
         for group in optimizer.param_groups:
             group["lr"] = learning_rate(args.lr, step, (spent + elapsed) / total)
+        if adversary:
+            adversary.follow(learning_rate(args.lr, step, (spent + elapsed) / total), min(1, step / CRITIC_WARM_UP) * args.critic)
         loss, figures, columns = take_step(model, pool, args.batch)
         optimizer.zero_grad(set_to_none=True)
         loss.backward()

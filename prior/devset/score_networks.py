@@ -1,6 +1,6 @@
 """Score both networks alone, nothing after them: the figures of the README's tables.
 
-    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS        # networks: .onnx, or .pt of a training
+    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS [--lpips LPIPS.onnx]   # networks: .onnx, or .pt of a training
 
 DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks of PHOTOS are those in `real/masks`. Prints
 
@@ -9,7 +9,8 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
 * elevations: mean and median error in degrees of SceneNet, of SplatNet and of both joined (`evaluate.joined`), own masks;
 * shapes: SplatNet on plain photos with true masks, every fourth view of 24, on white: silhouette IoU and PSNR in its own
   unit, then at the best of the scales in `SCALES` (no photo shows the unit when the bounding box lies askew), PSNR of the
-  views within 60 degrees of the photo at that scale, and the error of its elevation.
+  views within 60 degrees of the photo at that scale, and the error of its elevation; with a graph of LPIPS (inputs `ref` and
+  `dist`, normalised as ImageNet's networks want it), its mean over the views in its own unit, drawn on to 256 x 256.
 """
 
 import argparse
@@ -20,6 +21,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
+import torch.nn.functional as F
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent))
@@ -29,6 +31,8 @@ from nets import SceneNet, SplatNet
 
 SCALES = (1.0, 0.94, 1.07, 1.15)
 EVERY = 4  # of the 24 views
+# Mean and deviation, [1, 3, 1, 1], of the colours that LPIPS' network was trained on.
+IMAGENET = np.array([[0.485, 0.456, 0.406], [0.229, 0.224, 0.225]], np.float32).reshape(2, 1, 3, 1, 1)
 
 
 def photo_of(folder, kind):
@@ -77,30 +81,43 @@ def scaled(splats, by):
     return splats | {"pos": (splats["pos"] - centre) * by + centre, "scale": splats["scale"] * by}
 
 
+def lpips(graph, drawn, truth):
+    """Mean LPIPS of views [n, 3, S, S], 0..1."""
+
+    def fed(x):
+        larger = F.interpolate(x[None].float(), size=(256, 256), mode="bilinear").clamp(0, 1)
+        return ((larger - torch.tensor(IMAGENET[0])) / torch.tensor(IMAGENET[1])).numpy()
+
+    pairs = zip(truth, drawn, strict=True)
+    return np.mean([np.ravel(graph.run(None, {"ref": fed(t), "dist": fed(d)})[0])[0] for t, d in pairs])
+
+
 @torch.no_grad()
-def score_shape(splat, folder, cameras):
-    """[IoU, PSNR in its own unit, best scale, IoU, PSNR, PSNR of near views there, error of elevation] of one object."""
+def score_shape(splat, folder, cameras, graph):
+    """[IoU, PSNR in its own unit, best scale, IoU, PSNR, PSNR of near views there, error of elevation(, LPIPS)] of one object."""
     views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
     truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
     colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
     answer = splat(evaluate.crop(photo_of(folder, "plain"), evaluate.true_mask(folder / "mask.png")))
     elevation = answer["elevation"][0, 0]
     azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
-    scores = {}
+    scores, perceived = {}, []
     for by in SCALES:
         drawn = evaluate.rendered(scaled(answer, by), elevation, azimuth, size, views)
+        if graph and by == 1.0:
+            perceived = [lpips(graph, drawn[0], colour)]
         scores[by] = evaluate.view_scores(*drawn, colour, alpha, views)
     best = max(SCALES, key=lambda by: scores[by]["iou"])
     off = abs(math.degrees(elevation.item()) - cameras["views"][0]["elevation_deg"])
     own = [scores[1.0][k] for k in ("iou", "psnr")]
-    return [*own, best, *(scores[best][k] for k in ("iou", "psnr", "psnr_near")), off]
+    return [*own, best, *(scores[best][k] for k in ("iou", "psnr", "psnr_near")), off, *perceived]
 
 
-def score_shapes(splat, objects):
+def score_shapes(splat, objects, graph):
     rows = []
-    print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; elevation error")
+    print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; elevation error; LPIPS")
     for folder, cameras in objects:
-        rows.append(score_shape(splat, folder, cameras))
+        rows.append(score_shape(splat, folder, cameras, graph))
         print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
     print("shapes, mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
 
@@ -111,14 +128,20 @@ def main():
     parser.add_argument("splat")
     parser.add_argument("devset", type=Path)
     parser.add_argument("photos", type=Path)
+    parser.add_argument("--lpips")
     args = parser.parse_args()
+    graph = None
+    if args.lpips:
+        import onnxruntime
+
+        graph = onnxruntime.InferenceSession(args.lpips)
     scene = evaluate.load(SceneNet(), args.scene)
     splat = evaluate.load(SplatNet(), args.splat)
     objects = [(p.parent, json.loads(p.read_text())) for p in sorted(args.devset.glob("*/cameras.json"))]
     score_real(scene, args.photos)
     for kind in ("plain", "outdoor"):
         score_photos(scene, splat, objects, kind)
-    score_shapes(splat, objects)
+    score_shapes(splat, objects, graph)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ from .plain import articulated, container, light_plane, pickup, plain_house
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .vehicles import bike, bus, car, tank, truck
+from .wheeled import carrier, covered_lorry, offroad, van
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
@@ -30,6 +31,10 @@ MAKERS = [
     (bus, 5),
     (bike, 2),
     (cycle, 6),
+    (offroad, 14),
+    (van, 9),
+    (covered_lorry, 8),
+    (carrier, 8),
     (tank, 7),
     (gun, 5),
     (forklift, 6),

@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.5",
-    sha256: "40cdc08389a99ed1d755798ff895e39a9ce5208061fcfc82469378e0142f900d",
+    version: "0.6",
+    sha256: "10cdfa0a28342f88b799f07894ebbce197a692f57e00d922c784eef25211704b",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
