@@ -53,7 +53,8 @@ fn environment(path: &Path, failed: &dyn Fn(&dyn std::fmt::Display) -> Error) ->
     }
     let builder = ort::init_from(path).map_err(|e| failed(&e))?;
     let environment = builder.with_telemetry(false).build().map_err(|e| failed(&e))?;
-    environment.set_log_level(ort::logging::LogLevel::Error);
+    // Errors come back as results; what its libraries log besides is about ways that they tried and left (hundreds of lines a graph).
+    environment.set_log_level(ort::logging::LogLevel::Fatal);
     *loaded = Some((path.to_owned(), environment.clone()));
     Ok(environment)
 }
@@ -228,7 +229,7 @@ impl Graph for Loaded {
     }
 
     fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
-        let failed = |e: &dyn std::fmt::Display| Error::environment("network").found(e.to_string());
+        let failed = |e: &dyn std::fmt::Display| not_run(e.to_string());
         let ports = self.inputs();
         let mut fed: Vec<(&str, SessionInputValue)> = Vec::with_capacity(inputs.len());
         for (name, tensor) in inputs {
@@ -242,6 +243,18 @@ impl Graph for Loaded {
         let outputs = session.run(fed).map_err(|e| failed(&e))?;
         outputs.iter().map(|(name, value)| Ok((name.to_owned(), taken(name, &value)?))).collect()
     }
+}
+
+/// Why a graph did not run; ONNX Runtime says of memory only what its arena found.
+fn not_run(found: String) -> Error {
+    let error = Error::environment("network");
+    if !found.contains("BFCArena") {
+        return error.found(found);
+    }
+    error
+        .expected(format!("a network that runs in {} GiB of GPU memory", GPU_MEMORY >> 30))
+        .found(found)
+        .advice("Export it with sliced or fused attention, choose a smaller one, or run it with --provider cpu.")
 }
 
 /// In the type that the graph wants.
@@ -282,4 +295,18 @@ fn taken(name: &str, value: &DynValue) -> Result<Tensor> {
         other => return Err(wrong(&format!("{other:?}"))),
     };
     Tensor::new(&dims, data)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::not_run;
+
+    #[test]
+    fn a_network_that_finds_no_room_says_what_to_do() {
+        let arena = "bfc_arena.cc:360 void* onnxruntime::BFCArena::AllocateRawInternal(...) Available memory of 657444352 is \
+                     smaller than requested bytes of 1314816000";
+        let error = not_run(arena.into());
+        assert!(error.expected.contains("6 GiB") && error.advice.contains("sliced"), "{error}");
+        assert!(not_run("Got invalid dimensions for input: x".into()).advice.is_empty());
+    }
 }
