@@ -2,6 +2,7 @@
 //!
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
+pub mod settled;
 pub mod several;
 pub mod unposed;
 
@@ -73,7 +74,10 @@ pub struct Reconstruction {
     pub symmetry: Vec<Found>,
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
+    /// Of the optimisation that the mesh was made after.
     pub report: Report,
+    /// Of the short one after it, on pictures of the model, where there was one.
+    pub settled: Option<Report>,
     pub model: Model,
     pub timings: Vec<Timing>,
     /// What took the built-in networks' place.
@@ -122,15 +126,20 @@ pub fn reconstruct(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Reconstruction> {
-    finish(fit(photo, engine, sources, fitter, settings, progress)?, settings, progress)
+    finish(fit(photo, engine, sources, fitter, settings, progress)?, fitter, settings, progress)
 }
 
-/// Stage 5: the mesh.
+/// Stage 5: the mesh, which the Gaussians of a single photo then settle on.
 ///
 /// # Errors
 /// As [`reconstruct`].
-pub fn finish(fitted: Fitted, settings: &Settings, progress: &dyn Progress) -> Result<Reconstruction> {
-    let Fitted { gaussians, prior, mirrored, cameras, mut clock, painting, .. } = fitted;
+pub fn finish(
+    mut fitted: Fitted,
+    fitter: splat::Engine,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> Result<Reconstruction> {
+    let Fitted { gaussians, prior, mirrored, cameras, painting, .. } = &fitted;
     let view = |camera, color, mask| mesh::PhotoView { mirrored: false, camera, color, mask };
     let mut photos: Vec<mesh::PhotoView> = match painting.is_empty() {
         true => vec![view(cameras[0], &prior.colour, &prior.mask.data)],
@@ -144,17 +153,28 @@ pub fn finish(fitted: Fitted, settings: &Settings, progress: &dyn Progress) -> R
     }));
     // Of several photos others may show what one cuts off.
     let cut_off_below = painting.is_empty() && fitted.subject.cut_off_below();
-    let model = meshed(&gaussians, &photos, cut_off_below, settings, progress)?;
-    clock.lap("mesh and texture");
+    let model = meshed(gaussians, &photos, cut_off_below, settings, progress)?;
+    fitted.clock.lap("mesh and texture");
+    let mut settled = None;
+    let options = splat::Options { seed: settings.seed, ..settled::options(fitted.report.iterations) };
+    // Several photos show more sides themselves. All its steps or none, so that two runs are alike.
+    if fitted.painting.is_empty() && options.iterations > 0 && !fitted.report.stopped_by_deadline {
+        let photo = Target { refine_pose: false, ..photo(&fitted.prior, fitted.cameras[0], settings.seed) };
+        let gaussians = std::mem::take(&mut fitted.gaussians);
+        let trained = settled::settle(gaussians, photo, &model.levels[0], fitter, &options, progress)?;
+        (fitted.gaussians, settled) = (trained.gaussians, Some(trained.report));
+        fitted.clock.lap("settling");
+    }
     Ok(Reconstruction {
         subject: fitted.subject,
         symmetry: fitted.symmetry,
         six: fitted.six,
-        gaussians,
+        gaussians: fitted.gaussians,
         report: fitted.report,
+        settled,
         model,
-        timings: clock.timings,
-        prior,
+        timings: fitted.clock.timings,
+        prior: fitted.prior,
         sources: fitted.sources,
         several: fitted.several,
     })
@@ -290,16 +310,7 @@ fn optimise(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<splat::Trained> {
-    let mut targets = vec![Target {
-        camera: prior.camera,
-        color: prior.colour.clone(),
-        alpha: prior.mask.data.clone(),
-        weight: 1.0,
-        refine_pose: true,
-        held_back: Some(held_back(prior.mask.width, settings.seed)),
-        shown: Shown::Color,
-        name: PHOTO.into(),
-    }];
+    let mut targets = vec![photo(prior, prior.camera, settings.seed)];
     targets.extend(mirrored.iter().enumerate().map(|(i, m)| Target {
         camera: m.camera,
         color: m.color.clone(),
@@ -328,6 +339,20 @@ fn optimise(
     }));
     targets.extend(views.between.iter().enumerate().map(|(i, v)| view(format!("{HELD_BACK} {}", i + 1), v, 0.0)));
     trained(fitter, &prior.gaussians, &targets, settings, None, progress)
+}
+
+/// The photo to train on, some of its pixels held back.
+fn photo(prior: &OneView, camera: Camera, seed: u64) -> Target {
+    Target {
+        camera,
+        color: prior.colour.clone(),
+        alpha: prior.mask.data.clone(),
+        weight: 1.0,
+        refine_pose: true,
+        held_back: Some(held_back(prior.mask.width, seed)),
+        shown: Shown::Color,
+        name: PHOTO.into(),
+    }
 }
 
 /// The optimisation, in as many steps as the settings and the time allow. `pose_rate`: how fast poses are learnt, radians a step,

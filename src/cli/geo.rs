@@ -321,7 +321,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         plan.wanted.check_control(&fixes, args.seed)?;
     }
     let (photo, fitted) = front.fit(&chosen.sources, &args.photos, &fixes, fitter, &settings, &bar)?;
-    let mut done = pipeline::finish(fitted, &settings, &bar)?;
+    let mut done = pipeline::finish(fitted, fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 
     let writing = Instant::now();

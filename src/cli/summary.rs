@@ -11,7 +11,7 @@ use crate::models::prior;
 use crate::pipeline::several::Role;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
-use crate::{Error, Result, memory, symmetry};
+use crate::{Error, Result, memory, splat, symmetry};
 
 pub struct Summary<'a> {
     pub published: &'a Published,
@@ -72,6 +72,14 @@ pub fn text(s: &Summary) -> String {
     match s.done.several {
         None => line("optimised", format!("{steps}; {}", quality(s.done))),
         Some(_) => line("optimised", steps),
+    }
+    if let Some(settled) = &s.done.settled {
+        let [before, after] = agreement(settled);
+        let steps = settled.iterations;
+        line(
+            "settled",
+            format!("{steps} steps on the model; its pictures and the Gaussians' {before:.1} → {after:.1} dB"),
+        );
     }
     for (name, words) in &s.photos {
         line(name, words.clone());
@@ -152,6 +160,16 @@ fn qualities(done: &Reconstruction) -> [(&'static str, Pair); 4] {
     ]
 }
 
+/// How alike the model's pictures and the Gaussians' are, before and after the Gaussians were trained on them: mean PSNR.
+fn agreement(settled: &splat::Report) -> [f32; 2] {
+    let pictures = || settled.targets.iter().filter(|t| t.name.starts_with(pipeline::settled::MODEL));
+    let count = pictures().count().max(1) as f32;
+    [
+        pictures().map(|t| t.before.picture).sum::<f32>() / count,
+        pictures().map(|t| t.after.picture).sum::<f32>() / count,
+    ]
+}
+
 /// PSNR before → after on the photo; on the network's own views, which were exact before, how much is kept.
 fn quality(done: &Reconstruction) -> String {
     let [photo, photo_held_back, six, held_back] = qualities(done).map(|(_, pair)| pair);
@@ -202,10 +220,12 @@ pub fn json(s: &Summary) -> Result<String> {
         })
         .collect();
     let planes = symmetry::used(&s.done.symmetry).len();
+    let settled = s.done.settled.iter().map(|r| ("model_pictures", agreement(r).into()));
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
         .filter(|(name, _)| *name != "held_back_views" || s.done.sources.views_are_the_priors())
         .filter(|_| s.done.several.is_none())
+        .chain(settled)
         .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
         .collect();
     let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));

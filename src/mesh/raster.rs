@@ -1,7 +1,7 @@
 //! Triangles to pixels: z-buffer, perspective-correct.
 
 use super::Mesh;
-use super::color::{Linear, to_byte, to_linear};
+use super::color::{Linear, to_byte, to_linear, to_srgb};
 use crate::splat::Camera;
 use glam::{Vec2, Vec3};
 use image::{Rgb, RgbImage};
@@ -120,21 +120,48 @@ pub fn raster(
     background: [u8; 3],
     supersample: u32,
 ) -> RgbImage {
+    let background = background.map(|c| to_linear(c as f32 / 255.0));
+    let pixels: Vec<[u8; 3]> = covered(mesh, texture, camera, supersample)
+        .into_par_iter()
+        .map(|[r, g, b, share]| {
+            let own = [r, g, b];
+            std::array::from_fn(|k| to_byte(own[k] + (1.0 - share) * background[k]))
+        })
+        .collect();
+    RgbImage::from_fn(camera.width, camera.height, |x, y| Rgb(pixels[(y * camera.width + x) as usize]))
+}
+
+/// A mesh without what is behind it: straight colours (sRGB 0..1, `nothing` where there is none) and the share of each pixel
+/// that it covers, rows from the top.
+pub fn cut_out(
+    mesh: &Mesh,
+    texture: &RgbImage,
+    camera: &Camera,
+    supersample: u32,
+    nothing: [f32; 3],
+) -> (Vec<[f32; 3]>, Vec<f32>) {
+    let straight = |[r, g, b, share]: [f32; 4]| {
+        let color = if share > 0.0 { [r, g, b].map(|c| to_srgb((c / share).clamp(0.0, 1.0))) } else { nothing };
+        (color, share)
+    };
+    covered(mesh, Some(texture), camera, supersample).into_par_iter().map(straight).unzip()
+}
+
+/// Of each pixel the mean over its samples: linear light, 0 beside the mesh, and the share of samples on it.
+fn covered(mesh: &Mesh, texture: Option<&RgbImage>, camera: &Camera, supersample: u32) -> Vec<[f32; 4]> {
     let s = supersample.clamp(1, 8);
     let fine = camera.resized(camera.width * s, camera.height * s);
     let seen = visibility(&mesh.positions, &mesh.triangles, &fine);
     let projected = project(&mesh.positions, &mesh.triangles, &fine);
     let eye = camera.position();
     let table = Linear::default();
-    let background = background.map(|c| to_linear(c as f32 / 255.0));
-    let sample = |i: usize| -> [f32; 3] {
+    let sample = |i: usize| -> Option<[f32; 3]> {
         let t = seen.triangle[i] as usize;
-        let Some(Some((corners, inverse_z))) = projected.get(t) else { return background };
+        let (corners, inverse_z) = projected.get(t)?.as_ref()?;
         let p = Vec2::new((i % seen.width) as f32 + 0.5, (i / seen.width) as f32 + 0.5);
-        let Some(w) = weights(corners, p) else { return background };
-        let w = w * *inverse_z * seen.depth[i];
+        let w = weights(corners, p)? * *inverse_z * seen.depth[i];
         let [a, b, c] = mesh.triangles[t].map(|v| v as usize);
-        match texture {
+        Some(match texture {
             Some(texture) => {
                 let uv = mesh.uvs[a] * w.x + mesh.uvs[b] * w.y + mesh.uvs[c] * w.z;
                 texture_at(texture, uv).map(|v| table.of(v / 255.0))
@@ -145,25 +172,23 @@ pub fn raster(
                 let lit = n.normalize_or_zero().dot((eye - p).normalize_or_zero()).max(0.0);
                 [0.05 + 0.65 * lit; 3]
             }
-        }
+        })
     };
     let (width, height) = (camera.width as usize, camera.height as usize);
     let s = s as usize;
-    let pixels: Vec<[u8; 3]> = (0..width * height)
+    (0..width * height)
         .into_par_iter()
         .map(|i| {
             let (x, y) = (i % width, i / width);
-            let mut sum = [0f32; 3];
+            let mut sum = [0f32; 4];
             for k in 0..s * s {
-                let c = sample((y * s + k / s) * seen.width + x * s + k % s);
-                for (sum, c) in sum.iter_mut().zip(c) {
-                    *sum += c;
+                if let Some([r, g, b]) = sample((y * s + k / s) * seen.width + x * s + k % s) {
+                    sum.iter_mut().zip([r, g, b, 1.0]).for_each(|(sum, v)| *sum += v);
                 }
             }
-            sum.map(|c| to_byte(c / (s * s) as f32))
+            sum.map(|v| v / (s * s) as f32)
         })
-        .collect();
-    RgbImage::from_fn(camera.width, camera.height, |x, y| Rgb(pixels[y as usize * width + x as usize]))
+        .collect()
 }
 
 #[cfg(test)]
