@@ -18,12 +18,16 @@ pub mod photos;
 pub mod pipeline;
 pub mod preview;
 pub mod progress;
+#[cfg(feature = "serve")]
+pub mod serve;
 pub mod sources;
 pub mod splat;
 pub mod symmetry;
 #[cfg(feature = "view")]
 pub mod view;
 pub mod views;
+#[cfg(feature = "view")]
+pub mod web;
 mod whole_file;
 
 pub use error::{Error, Kind, Result};

@@ -9,7 +9,7 @@ use std::path::Path;
 use super::disk;
 
 /// Words that change a disk.
-const DOORS: [&str; 23] = [
+const DOORS: [&str; 24] = [
     "fs::write",
     "File::create",
     "File::options",
@@ -33,10 +33,11 @@ const DOORS: [&str; 23] = [
     "Disk {",
     ".write_new(",
     "whole_file::write",
+    "Connection::open",
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 29] = [
+const KEEPERS: [(&str, &str); 32] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -62,6 +63,9 @@ const KEEPERS: [(&str, &str); 29] = [
     ("src/models/registry/mod.rs", "imported networks, removed"),
     ("src/models/zero123/cache.rs", "views already made"),
     ("src/photos/sfm.rs", "COLMAP's work folder, its own and gone afterwards"),
+    ("src/serve/api/submit.rs", "the photo of a submission, in the server's own folder"),
+    ("src/serve/database/mod.rs", "the server's accounts and jobs"),
+    ("src/serve/place.rs", "the server's own folder: photos come and go, what runs publish in it goes with its job"),
     ("src/splat/render/gpu/cache.rs", "compiled shaders"),
     ("src/splat/render/gpu/device.rs", "compiled shaders"),
     ("src/splat/train/checkpoint.rs", "a fit that goes on later"),

@@ -27,9 +27,19 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 18] = [
+pub const EVENT_TYPES: [EventType; 28] = [
+    event("access.refused", "orb serve refused somebody, so many times in a minute", "attempts are seen"),
+    event("account.add", "an account of orb serve was made", "who may do what, and since when"),
+    event(
+        "account.change",
+        "an account was disabled, enabled or given another token",
+        "since when an account is no more",
+    ),
+    event("account.lock", "an account was locked after wrong tokens", "attempts to guess a token are seen"),
     event("bench.make", "orb bench make published", "what results are measured against"),
     event("bench.run", "orb bench run published", "what was measured of which results"),
+    event("job.cancel", "an account of orb serve cancelled its job", "why a job has no result"),
+    event("job.delete", "an account of orb serve deleted its job and its results", "since when results are gone"),
     event("key.generate", "a key was made: by orb audit keygen, or the user's own", "who can sign, and since when"),
     event("key.revoke", "orb audit key trust revoke", "since when a key counts no more"),
     event(
@@ -53,6 +63,10 @@ pub const EVENT_TYPES: [EventType; 18] = [
     event("scene.generate", "orb geo published", MADE),
     event("scene.reconstruct", "orb reconstruct published", MADE),
     event("scene.render", "orb render published", MADE),
+    event("serve.start", "orb serve began to listen", "since when others could reach what is here"),
+    event("serve.stop", "orb serve ended", "until when they could"),
+    event("session.begin", "an account signed in", "who was there"),
+    event("session.end", "an account signed out", "until when"),
     event(
         "verify.run",
         "orb audit verify, report, export, ledger verify or ledger reconcile gave a verdict",

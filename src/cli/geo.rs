@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 
-use super::bar::Bar;
+use super::bar::{Bar, Say};
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
 use super::format::{self, Content, Format, WriteArgs, safe_stem};
@@ -155,6 +155,14 @@ pub struct GeoArgs {
     /// One JSON object on standard output.
     #[arg(long)]
     pub json: bool,
+
+    /// How progress is said on standard error.
+    #[arg(long, value_enum, default_value = "bar")]
+    pub progress: Say,
+
+    /// Stop, as Ctrl-C does, when standard input ends: a program that started this run may be killed at any time.
+    #[arg(long, hide = true)]
+    pub stop_with_stdin: bool,
 
     /// Memory stage by stage, the engine, and what the networks said.
     #[arg(short, long, conflicts_with = "quiet")]
@@ -309,7 +317,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         symmetry: args.symmetry.into(),
         kept: args.kept.open()?,
     };
-    let bar = Bar::new(stop, args.publish.quiet || args.json);
+    let bar = Bar::saying(args.progress, stop, args.publish.quiet || args.json);
     let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
     front.pose(&args.photos, &bar)?;
     let chosen = match front.one() {
@@ -402,6 +410,20 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         crate::cli::write_out(&summary::text(&summary));
     }
     Ok(0)
+}
+
+/// Judges a run by what can be known of it before it: its options, and the photo without its pixels. Returns what the
+/// product would be marked; networks and terrain may raise it.
+///
+/// # Errors
+/// What the run itself would begin with.
+#[cfg(feature = "serve")]
+pub(crate) fn judge(args: &GeoArgs, photo: &[u8], utc: &str) -> Result<crate::audit::Marking> {
+    let mut plan = plan(args)?;
+    let (exif, _) = crate::photo::metadata(&plan.stem, photo, &crate::photo::Limits::default())?;
+    plan.wanted.check(&exif)?;
+    let carried = super::marking::carried(&plan.stem, photo)?;
+    Ok(args.publish.marking.decide(&[carried], utc)?.marking)
 }
 
 /// The whole file, its size looked at first.

@@ -20,9 +20,14 @@ mod photos;
 pub mod reconstruct;
 pub mod render;
 mod sealed;
+#[cfg(feature = "serve")]
+pub mod serve;
 mod summary;
 #[cfg(feature = "view")]
 pub mod view;
+
+#[cfg(feature = "serve")]
+pub(crate) use format::safe_stem;
 
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -67,6 +72,9 @@ enum Verb {
     /// Look at a scene in a browser: a page on a local port.
     #[cfg(feature = "view")]
     View(view::View),
+    /// Serve jobs to several people: a page and an interface for programs on a port.
+    #[cfg(feature = "serve")]
+    Serve(Box<serve::ServeArgs>),
     /// Score reconstructions by Orb-Bench; measure this machine.
     Bench(bench::BenchArgs),
     /// Import networks, list, check and remove them. Nothing is downloaded.
@@ -104,7 +112,18 @@ pub fn main() -> ExitCode {
         Verb::Cdb(_) | Verb::Doctor(_) => None,
         #[cfg(feature = "view")]
         Verb::View(_) => None,
+        #[cfg(feature = "serve")]
+        Verb::Serve(_) => Some("orb serve"),
     };
+    if let Verb::Geo(args) = &cli.verb
+        && args.stop_with_stdin
+    {
+        let stop = Arc::clone(&stop);
+        std::thread::spawn(move || {
+            let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
+            stop.store(true, Ordering::Relaxed);
+        });
+    }
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
         Verb::Reconstruct(args) => reconstruct::run(&args, &stop),
@@ -113,6 +132,8 @@ pub fn main() -> ExitCode {
         Verb::Render(args) => render::publish(&args, &stop),
         #[cfg(feature = "view")]
         Verb::View(args) => view::run(&args, &stop),
+        #[cfg(feature = "serve")]
+        Verb::Serve(args) => serve::run(&args, &stop),
         Verb::Bench(args) => bench::run(&args, &stop),
         Verb::Models(args) => DataFolder::from_environment(|name| std::env::var_os(name))
             .and_then(|data| models::run(&args, &data))
@@ -133,6 +154,20 @@ pub fn main() -> ExitCode {
             }
             ExitCode::from(e.kind.exit_code())
         }
+    }
+}
+
+/// The command line `orb geo INPUT OPTIONS` as it is understood.
+///
+/// # Errors
+/// Usage, with clap's own words.
+#[cfg(feature = "serve")]
+pub(crate) fn geo_args(input: &str, options: &[String]) -> crate::Result<geo::GeoArgs> {
+    let line = ["orb", "geo", input].into_iter().chain(options.iter().map(String::as_str));
+    match Cli::try_parse_from(line) {
+        Ok(Cli { verb: Verb::Geo(args) }) => Ok(*args),
+        Ok(_) => Err(crate::Error::usage("options").expected("options of orb geo").found("another verb")),
+        Err(e) => Err(crate::Error::usage("options").found(e.to_string())),
     }
 }
 

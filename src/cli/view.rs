@@ -7,10 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use super::device::Device;
 use crate::audit::DataFolder;
+use crate::view::open;
 use crate::view::server::{self, Site};
 use crate::view::subject::Subject;
 use crate::view::worker::Worker;
-use crate::view::{listen, open};
+use crate::web::listen;
 use crate::{Error, Result};
 
 /// Look at a scene in a browser, from all sides, and measure in it. Ends with Ctrl-C.
@@ -71,8 +72,8 @@ pub fn run(args: &View, stop: &AtomicBool) -> Result<u8> {
         opened.map_err(|e| say(&format!("no browser was opened: {e}"))).ok()
     };
     say("Ctrl-C ends it");
-    let router = server::router(Arc::new(Site { subject, worker, token }));
-    runtime.block_on(listen::serve(listener, router, stop));
+    let router = server::router(Arc::new(Site { subject, worker }), token);
+    runtime.block_on(listen::serve(listener, router, stop, listen::CONNECTIONS));
     drop(opened);
     // Ends the connections, and with the last of them the thread that draws.
     drop(runtime);

@@ -7,7 +7,6 @@
 pub mod draw;
 mod ground;
 mod levels;
-pub mod listen;
 pub mod open;
 pub mod query;
 pub mod server;

@@ -2,7 +2,6 @@
 //!
 //! Every address begins with the token. No part of a request is a path on the disk: what is served was read before.
 
-use std::net::IpAddr;
 use std::sync::Arc;
 
 use aws_lc_rs::constant_time::verify_slices_are_equal;
@@ -10,7 +9,7 @@ use axum::Router;
 use axum::body::{Body, HttpBody as _};
 use axum::extract::rejection::QueryRejection;
 use axum::extract::{Query as Asked, Request, State};
-use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::http::{HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
@@ -20,20 +19,13 @@ use super::query::{FIELD, Query};
 use super::subject::Subject;
 use super::worker::{Refusal, Worker};
 use super::{draw, ground};
+use crate::web::guard::{MOST_ADDRESS, SCRIPT, STYLE, escaped, harden, is_own_name, part, refuse};
 use crate::{Error, Result};
-
-/// Longest path with its query.
-const MOST_ADDRESS: usize = 1024;
-/// What the page may do: load its own parts, and pictures that it has already fetched.
-const CONTENT_POLICY: &str = "default-src 'self'; img-src 'self' blob:; base-uri 'none'; form-action 'none'; \
-                              frame-ancestors 'none'; object-src 'none'";
 
 /// What the routes know.
 pub struct Site {
     pub subject: Arc<Subject>,
     pub worker: Worker,
-    /// [`token`]
-    pub token: String,
 }
 
 /// 128 random bits, as hexadecimal digits.
@@ -46,56 +38,41 @@ pub fn token() -> Result<String> {
     Ok(hex::encode(bytes))
 }
 
-pub fn router(site: Arc<Site>) -> Router {
+/// What the page of one scene asks for, below `prefix`; the guard is the caller's.
+pub fn scene_routes(prefix: &str) -> Router<Arc<Site>> {
+    let at = |name: &str| format!("{prefix}/{name}");
     Router::new()
-        .route("/{token}/", get(page))
-        .route("/{token}/page.css", get(async || part("text/css; charset=utf-8", include_str!("page/page.css"))))
-        .route("/{token}/page.js", get(async || part(SCRIPT, include_str!("page/page.js"))))
-        .route("/{token}/camera.js", get(async || part(SCRIPT, include_str!("page/camera.js"))))
-        .route("/{token}/icon.svg", get(async || part("image/svg+xml", include_str!("page/icon.svg"))))
-        .route("/{token}/scene.json", get(scene))
-        .route("/{token}/frame", get(frame))
-        .route("/{token}/point", get(point))
-        .route("/{token}/photo", get(photo))
+        .route(&at(""), get(page))
+        .route(&at("page.css"), get(async || part(STYLE, include_str!("page/page.css"))))
+        .route(&at("page.js"), get(async || part(SCRIPT, include_str!("page/page.js"))))
+        .route(&at("camera.js"), get(async || part(SCRIPT, include_str!("page/camera.js"))))
+        .route(&at("icon.svg"), get(async || part("image/svg+xml", include_str!("page/icon.svg"))))
+        .route(&at("scene.json"), get(scene))
+        .route(&at("frame"), get(frame))
+        .route(&at("point"), get(point))
+        .route(&at("photo"), get(photo))
+}
+
+/// One scene below a token, with the guard before it.
+pub fn router(site: Arc<Site>, token: String) -> Router {
+    scene_routes("/{token}")
         .fallback(async || refuse(StatusCode::NOT_FOUND, "not found"))
-        .layer(middleware::from_fn_with_state(Arc::clone(&site), guard))
+        .layer(middleware::from_fn_with_state(Arc::<str>::from(token), guard))
         .with_state(site)
 }
 
-const SCRIPT: &str = "text/javascript; charset=utf-8";
-
-fn part(media_type: &'static str, text: &'static str) -> Response {
-    ([(header::CONTENT_TYPE, media_type)], text).into_response()
-}
-
-fn refuse(status: StatusCode, words: &str) -> Response {
-    (status, [(header::CONTENT_TYPE, "text/plain; charset=utf-8")], format!("{words}\n")).into_response()
-}
-
 /// Lets through who knows the token and asks this server by its own name; the rest learns nothing.
-async fn guard(State(site): State<Arc<Site>>, request: Request<Body>, next: Next) -> Response {
-    let mut answer = match check(&site.token, &request) {
+async fn guard(State(token): State<Arc<str>>, request: Request<Body>, next: Next) -> Response {
+    let mut answer = match check(&token, &request) {
         Some(refused) => refused,
         None => next.run(request).await,
     };
-    let headers = answer.headers_mut();
-    for (name, value) in [
-        (header::CONTENT_SECURITY_POLICY, CONTENT_POLICY),
-        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (header::X_FRAME_OPTIONS, "DENY"),
-        (header::REFERRER_POLICY, "no-referrer"),
-        (header::CACHE_CONTROL, "no-store"),
-        (header::HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
-        (header::HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
-        (header::HeaderName::from_static("permissions-policy"), "camera=(), geolocation=(), microphone=()"),
-    ] {
-        headers.insert(name, HeaderValue::from_static(value));
-    }
+    harden(answer.headers_mut());
     answer
 }
 
 fn check(token: &str, request: &Request<Body>) -> Option<Response> {
-    if !is_own_name(request.headers()) {
+    if !is_own_name(request.headers(), &[]) {
         // A name of someone else's that leads here: DNS rebinding.
         return Some(refuse(StatusCode::MISDIRECTED_REQUEST, "this server answers to localhost and to addresses only"));
     }
@@ -110,27 +87,6 @@ fn check(token: &str, request: &Request<Body>) -> Option<Response> {
         return Some(refuse(StatusCode::PAYLOAD_TOO_LARGE, "no request to this server has a body"));
     }
     None
-}
-
-/// One Host header, which is `localhost` or an address in digits, with any port (a tunnel may change it).
-fn is_own_name(headers: &HeaderMap) -> bool {
-    let mut hosts = headers.get_all(header::HOST).iter();
-    let (Some(host), None) = (hosts.next(), hosts.next()) else { return false };
-    let Ok(host) = host.to_str() else { return false };
-    let (name, port) = match (host.strip_prefix('['), host.rsplit_once(':')) {
-        (Some(rest), _) => match rest.split_once(']') {
-            Some((name, port)) => (name, port.strip_prefix(':')),
-            None => return false,
-        },
-        (None, Some((name, port))) => (name, Some(port)),
-        (None, None) => (host, None),
-    };
-    let port_is_one = port.is_none_or(|p| p.parse::<u16>().is_ok());
-    port_is_one && (name.eq_ignore_ascii_case("localhost") || name.parse::<IpAddr>().is_ok())
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 async fn page(State(site): State<Arc<Site>>) -> Response {
@@ -213,11 +169,13 @@ fn no_answer(refusal: Refusal) -> Response {
 
 #[cfg(test)]
 mod tests {
+    use axum::http::HeaderMap;
     use tower::ServiceExt as _;
 
     use super::*;
     use crate::splat::Gaussians;
     use crate::view::draw::{Draw, Splats};
+    use crate::web::guard::CONTENT_POLICY;
 
     /// One red ball of 8 cm, a metre above the origin, 34.5° north, the camera having looked east.
     fn subject() -> Subject {
@@ -253,7 +211,7 @@ mod tests {
     fn ask(method: &str, path: &str, host: &str, body: &'static str) -> (StatusCode, HeaderMap, Vec<u8>) {
         let subject = Arc::new(subject());
         let (worker, thread) = Worker::start(Arc::clone(&subject), || Ok(None)).unwrap();
-        let router = router(Arc::new(Site { subject, worker, token: "0123".repeat(8) }));
+        let router = router(Arc::new(Site { subject, worker }), "0123".repeat(8));
         let request = Request::builder().method(method).uri(path).header("host", host).body(Body::from(body)).unwrap();
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
         let answer = runtime.block_on(async {

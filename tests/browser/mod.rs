@@ -121,22 +121,42 @@ impl Browser {
 
     /// Waits until the expression holds.
     pub fn until(&mut self, expression: &str) {
-        let end = Instant::now() + PATIENCE;
+        self.until_within(expression, PATIENCE);
+    }
+
+    pub fn until_within(&mut self, expression: &str, patience: Duration) {
+        let end = Instant::now() + patience;
         // The page may not be there yet: what cannot be evaluated does not hold.
         let asked = format!("(() => {{ try {{ return String(!!({expression})) }} catch {{ return 'false' }} }})()");
         while self.value(&asked) != "true" {
             if Instant::now() > end {
                 let state = self.value("document.body.innerText");
-                panic!("{expression} does not hold after {PATIENCE:?}: {state}\n{:?}", self.complaints);
+                panic!("{expression} does not hold after {patience:?}: {state}\n{:?}", self.complaints);
             }
             std::thread::sleep(Duration::from_millis(20));
         }
     }
 
     pub fn key(&mut self, key: &str) {
+        // A form is sent by the character that Enter types.
+        let (text, code) = if key == "Enter" { ("\r", 13) } else { ("", 0) };
         for kind in ["keyDown", "keyUp"] {
-            self.call("Input.dispatchKeyEvent", json!({"type": kind, "key": key}));
+            let text = if kind == "keyDown" { text } else { "" };
+            let event = json!({"type": kind, "key": key, "text": text, "windowsVirtualKeyCode": code});
+            self.call("Input.dispatchKeyEvent", event);
         }
+    }
+
+    /// Types into what has the focus.
+    pub fn text(&mut self, text: &str) {
+        self.call("Input.insertText", json!({"text": text}));
+    }
+
+    /// Gives a file to a field for one.
+    pub fn choose(&mut self, selector: &str, file: &Path) {
+        let root = self.call("DOM.getDocument", json!({}))["root"]["nodeId"].clone();
+        let found = self.call("DOM.querySelector", json!({"nodeId": root, "selector": selector}));
+        self.call("DOM.setFileInputFiles", json!({"nodeId": found["nodeId"], "files": [file]}));
     }
 
     pub fn click(&mut self, x: f64, y: f64) {

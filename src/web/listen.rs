@@ -16,8 +16,8 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 use tokio::time::{Instant, Sleep, sleep, timeout};
 
-/// Connections at once; a browser opens six.
-const CONNECTIONS: usize = 64;
+/// Connections at once, for a page of one user's; a browser opens six.
+pub const CONNECTIONS: usize = 64;
 /// Until the head of the next request has come; an idle connection is closed after it too.
 const HEAD: Duration = Duration::from_secs(10);
 /// Until the client takes more of an answer.
@@ -27,9 +27,9 @@ const LOOK: Duration = Duration::from_millis(200);
 /// Bytes of a request's head, and of an answer on its way.
 const BUFFER: usize = 16 << 10;
 
-/// Answers until `stop` is set.
-pub async fn serve(listener: TcpListener, router: Router, stop: &AtomicBool) {
-    let places = Arc::new(Semaphore::new(CONNECTIONS));
+/// Answers at most `connections` at once, until `stop` is set.
+pub async fn serve(listener: TcpListener, router: Router, stop: &AtomicBool, connections: usize) {
+    let places = Arc::new(Semaphore::new(connections));
     while !stop.load(Ordering::Relaxed) {
         let Ok(place) = timeout(LOOK, Arc::clone(&places).acquire_owned()).await else { continue };
         let stream = match timeout(LOOK, listener.accept()).await {

@@ -1,0 +1,364 @@
+//! `orb serve`: jobs for several people, on a port; and their accounts.
+
+use std::ffi::OsString;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use clap::{Args, Subcommand, ValueEnum as _};
+use tokio::sync::Semaphore;
+
+use super::device::Device;
+use super::key::KeyArgs;
+use crate::audit::{DataFolder, Marking, time};
+use crate::serve::administration::{By, TOKEN_DAYS};
+use crate::serve::database::Database;
+use crate::serve::live::Live;
+use crate::serve::place::Place;
+use crate::serve::recorder::Recorder;
+use crate::serve::role::{Role, Roles};
+use crate::serve::runner::{self, Runner};
+use crate::serve::session::Sessions;
+use crate::serve::viewers::Viewers;
+use crate::serve::{Clock, Limits, Server, api};
+use crate::web::listen;
+use crate::{Error, Result};
+
+/// Connections at once.
+const CONNECTIONS: usize = 512;
+/// At once: submissions taken in, files sent, jobs watched.
+const UPLOADS: usize = 4;
+const DOWNLOADS: usize = 16;
+const STREAMS: usize = 256;
+/// Threads that wait for the disk: more than files that are sent at once.
+const WAITING: usize = 32;
+/// How often refusals are looked at.
+const FLUSH: Duration = Duration::from_secs(1);
+
+/// Serve jobs to several people: a page and an interface for programs on a port. Ends with Ctrl-C; a job that runs then is
+/// run again at the next start.
+#[derive(Args, Clone, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct ServeArgs {
+    #[command(subcommand)]
+    verb: Option<Verb>,
+
+    /// Where it listens; port 0 takes a free one.
+    #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8080")]
+    bind: SocketAddr,
+
+    #[command(flatten)]
+    data: DataArgs,
+
+    /// The highest marking that is taken in and shown: UNCLASSIFIED, CUI, SECRET//NOFORN, … There is no default.
+    #[arg(long, value_name = "BANNER", required = true)]
+    max_marking: Option<String>,
+
+    /// A name that this server is called by, beside localhost and addresses (may be given several times).
+    #[arg(long = "name", value_name = "HOST")]
+    names: Vec<String>,
+
+    /// A TLS proxy on this machine stands before it: browsers send their cookies under TLS alone.
+    #[arg(long)]
+    behind_tls: bool,
+
+    /// Listen beyond this machine without encryption: tokens and scenes can be read on the way.
+    #[arg(long)]
+    insecure_http: bool,
+
+    /// What runs and viewers compute on.
+    #[arg(long, value_enum, default_value_t)]
+    device: Device,
+
+    /// Jobs that may wait or run.
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    max_queue: u64,
+
+    /// Megabytes of one photo.
+    #[arg(long, value_name = "MB", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=256))]
+    max_upload: u64,
+
+    /// Megapixels of one photo.
+    #[arg(long, value_name = "MP", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    max_pixels: u64,
+
+    /// Gigabytes of all jobs together; each publishes up to a few tens of megabytes more than its photo.
+    #[arg(long, value_name = "GB", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    max_stored: u64,
+
+    /// Seconds that one run may take.
+    #[arg(long, value_name = "SECONDS", default_value_t = 3600, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    max_seconds: u64,
+
+    #[command(flatten)]
+    key: KeyArgs,
+}
+
+#[derive(Args, Clone, Debug)]
+struct DataArgs {
+    /// Folder of jobs, accounts, key and ledger. Default: the user's data folder, ORB_DATA_DIR.
+    #[arg(long, value_name = "DIR")]
+    data: Option<PathBuf>,
+}
+
+#[derive(Subcommand, Clone, Debug)]
+enum Verb {
+    /// Accounts: there are none until one is added here
+    #[command(subcommand)]
+    Account(AccountVerb),
+    /// Print the OpenAPI document of the interface
+    Openapi,
+}
+
+#[derive(Subcommand, Clone, Debug)]
+enum AccountVerb {
+    /// Make an account and print its token, this once
+    Add {
+        /// Lower case letters, digits, hyphens
+        name: String,
+        /// What it is for, separated by commas; admin and auditor stand alone
+        #[arg(long, value_enum, value_delimiter = ',', required = true)]
+        role: Vec<Role>,
+        /// Highest marking that it takes part in
+        #[arg(long, value_name = "BANNER")]
+        ceiling: String,
+        /// Days that the token is good for
+        #[arg(long, default_value_t = TOKEN_DAYS, value_parser = clap::value_parser!(u32).range(1..=3650))]
+        days: u32,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+    /// List accounts
+    List {
+        /// One JSON object
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+    /// Disable an account
+    Disable {
+        name: String,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+    /// Enable an account again, and unlock it
+    Enable {
+        name: String,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+    /// Print another token for an account; the one before is no longer good
+    Token {
+        name: String,
+        /// Days that the token is good for
+        #[arg(long, default_value_t = TOKEN_DAYS, value_parser = clap::value_parser!(u32).range(1..=3650))]
+        days: u32,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+}
+
+impl DataArgs {
+    fn folder(&self) -> Result<DataFolder> {
+        match &self.data {
+            Some(path) => std::path::absolute(path).map(DataFolder::at).map_err(|e| Error::io(path, &e)),
+            None => DataFolder::from_environment(|name| std::env::var_os(name)),
+        }
+    }
+}
+
+/// Runs the verb. `stop` is set by the interrupt handler.
+pub fn run(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
+    match &args.verb {
+        None => serve(args, stop),
+        Some(Verb::Account(verb)) => account(verb),
+        Some(Verb::Openapi) => {
+            let json = api::document().to_pretty_json();
+            super::write_out(&format!("{}\n", json.map_err(|e| Error::environment("openapi").found(e.to_string()))?));
+            Ok(0)
+        }
+    }
+}
+
+fn account(verb: &AccountVerb) -> Result<u8> {
+    use AccountVerb::{Add, Disable, Enable, List, Token};
+    let (Add { data, .. } | List { data, .. } | Disable { data, .. } | Enable { data, .. } | Token { data, .. }) = verb;
+    let data = data.folder()?;
+    let database = Database::open(&Place::open(&data)?.database())?;
+    let recorder = Recorder::new(data, "orb serve account");
+    let now = time::now()?.unix_ms;
+    let by = By { database: &database, recorder: &recorder, actor: None, now };
+    let text = match verb {
+        Add { name, role, ceiling, days, .. } => {
+            let roles: Roles = role.clone().try_into()?;
+            by.add(name, roles, Marking::parse(ceiling)?, *days)?.to_string()
+        }
+        Token { name, days, .. } => by.renew(name, *days)?.to_string(),
+        Disable { name, .. } => by.disable(name, true).map(|()| format!("{name} is disabled"))?,
+        Enable { name, .. } => by.disable(name, false).map(|()| format!("{name} is enabled"))?,
+        List { json, .. } => {
+            let told: Vec<_> = database.accounts()?.iter().map(|a| a.told(now)).collect();
+            match json {
+                true => serde_json::json!({ "accounts": told }).to_string(),
+                false => told.iter().map(line).collect::<Vec<_>>().join("\n"),
+            }
+        }
+    };
+    if !text.is_empty() {
+        super::write_out(&format!("{text}\n"));
+    }
+    Ok(0)
+}
+
+fn line(a: &crate::serve::account::Told) -> String {
+    let roles: Vec<String> =
+        a.roles.iter().filter_map(|r| r.to_possible_value()).map(|v| v.get_name().to_owned()).collect();
+    let state = if a.disabled {
+        "disabled"
+    } else if a.locked {
+        "locked"
+    } else {
+        "enabled"
+    };
+    let used = a.last_used.as_deref().unwrap_or("never used");
+    format!(
+        "{:<20} {:<9} {:<28} {:<16} token until {}  {used}",
+        a.name,
+        state,
+        roles.join(","),
+        a.ceiling,
+        a.token_expires
+    )
+}
+
+fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
+    let banner = args.max_marking.as_deref().unwrap_or_default();
+    let ceiling = Marking::parse(banner)?;
+    if !args.bind.ip().is_loopback() && !args.insecure_http {
+        return Err(Error::policy("--bind")
+            .expected("an address of the loopback, where nobody listens on the way")
+            .found(args.bind.ip().to_string())
+            .advice("Put a TLS proxy before it, or use ssh -L; --insecure-http does without."));
+    }
+    let data = args.data.folder()?;
+    let place = Place::open(&data)?;
+    let _only = place.lock()?;
+    let clock: Clock = Arc::new(|| time::now().map(|t| t.unix_ms).unwrap_or_default());
+    let server = Arc::new(Server {
+        database: Database::open(&place.database())?,
+        place,
+        sessions: Sessions::default(),
+        live: Live::default(),
+        recorder: Recorder::new(data, "orb serve"),
+        viewers: Viewers::new(args.device),
+        limits: Limits {
+            queue: args.max_queue,
+            queue_each: args.max_queue,
+            upload: args.max_upload * 1_000_000,
+            pixels: args.max_pixels * 1_000_000,
+            stored: args.max_stored * 1_000_000_000,
+            seconds: args.max_seconds,
+            ..Limits::default()
+        },
+        ceiling,
+        has_key: args.key.key.is_some(),
+        names: args.names.clone(),
+        encrypted: args.behind_tls,
+        clock,
+        counts: Default::default(),
+        uploads: Arc::new(Semaphore::new(UPLOADS)),
+        downloads: Arc::new(Semaphore::new(DOWNLOADS)),
+        streams: Arc::new(Semaphore::new(STREAMS)),
+        checks: Arc::new(Semaphore::new(1)),
+    });
+    runner::recover(&server)?;
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .max_blocking_threads(WAITING)
+        .build()
+        .map_err(|e| Error::environment("the server").found(e.to_string()))?;
+    let cannot = |e: std::io::Error| {
+        Error::environment(args.bind.to_string())
+            .expected("an address of this machine with a free port")
+            .found(e.to_string())
+            .advice("Choose another with --bind.")
+    };
+    let listener = runtime.block_on(tokio::net::TcpListener::bind(args.bind)).map_err(cannot)?;
+    let bound = listener.local_addr().map_err(cannot)?;
+    server.recorder.act("serve.start", &[("max_marking", &server.ceiling.banner())])?;
+    super::write_out(&format!("{}\nhttp://{bound}/\n", server.ceiling.banner()));
+    if server.database.accounts()?.is_empty() {
+        eprintln!("orb: there are no accounts yet: orb serve account add NAME --role … --ceiling …");
+    }
+    let runner = Runner { program: program()?, options: options(args)? };
+    std::thread::scope(|threads| {
+        threads.spawn(|| runner.work(&server, stop));
+        threads.spawn(|| {
+            while !stop.load(Ordering::Relaxed) {
+                std::thread::sleep(FLUSH);
+                server.recorder.flush(server.now(), false);
+            }
+        });
+        let router = api::router(Arc::clone(&server));
+        runtime.block_on(listen::serve(listener, router, stop, CONNECTIONS));
+        server.live.call();
+        // Ends the connections.
+        runtime.shutdown_timeout(Duration::from_secs(1));
+    });
+    server.recorder.flush(server.now(), true);
+    server.recorder.act("serve.stop", &[])?;
+    Ok(0)
+}
+
+/// This program, as it was started.
+fn program() -> Result<PathBuf> {
+    std::env::current_exe().map_err(|e| Error::environment("this program").found(e.to_string()))
+}
+
+/// What every run is told beside its job's own options; paths as seen from anywhere.
+fn options(args: &ServeArgs) -> Result<Vec<OsString>> {
+    let mut out = Vec::new();
+    let mut say = |option: &str, value: OsString| {
+        let mut word = OsString::from(format!("--{option}="));
+        word.push(value);
+        out.push(word);
+    };
+    let absolute = |path: &PathBuf| std::path::absolute(path).map_err(|e| Error::io(path, &e));
+    if let Some(device) = args.device.to_possible_value() {
+        say("device", device.get_name().into());
+    }
+    let key = &args.key;
+    match &key.key {
+        // A token's name is no path.
+        Some(path) if path.to_string_lossy().starts_with("pkcs11:") => say("key", path.into()),
+        Some(path) => say("key", absolute(path)?.into()),
+        None => {}
+    }
+    match &key.key_passphrase {
+        Some(super::key::PassphraseSource::File(path)) => {
+            let mut word = OsString::from("file:");
+            word.push(absolute(path)?);
+            say("key-passphrase", word);
+        }
+        Some(super::key::PassphraseSource::Variable(name)) => say("key-passphrase", format!("env:{name}").into()),
+        Some(super::key::PassphraseSource::Prompt) => {
+            return Err(Error::usage("--key-passphrase")
+                .expected("file:PATH or env:NAME: every run needs it")
+                .found("prompt"));
+        }
+        None => {}
+    }
+    if let Some(algorithm) = key.algorithm.and_then(|a| a.to_possible_value().map(|v| v.get_name().to_owned())) {
+        say("sign-algorithm", algorithm.into());
+    }
+    if let Some(path) = &key.cert_chain {
+        say("cert-chain", absolute(path)?.into());
+    }
+    if let Some(host) = &key.ntp_server {
+        say("ntp-server", host.into());
+    }
+    Ok(out)
+}

@@ -1,0 +1,152 @@
+//! Accounts, for administrators.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::rejection::JsonRejection;
+use axum::extract::{Path, State};
+use axum::http::StatusCode;
+use axum::response::{IntoResponse as _, Response};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+use super::{Answer, Caller, Refused, blocking, given};
+use crate::audit::Marking;
+use crate::serve::Server;
+use crate::serve::account::Told;
+use crate::serve::administration::{By, TOKEN_DAYS};
+use crate::serve::refusal::Refusal;
+use crate::serve::role::{Right, Role};
+
+#[derive(Serialize, ToSchema)]
+pub struct Accounts {
+    accounts: Vec<Told>,
+}
+
+/// An account that is to be.
+#[derive(Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NewAccount {
+    #[schema(pattern = "^[a-z][a-z0-9-]{0,31}$")]
+    name: String,
+    /// Admin and auditor stand alone.
+    #[schema(min_items = 1)]
+    roles: Vec<Role>,
+    /// Highest marking that it takes part in, the server's at most.
+    ceiling: String,
+    /// That its token is good for.
+    #[schema(minimum = 1, maximum = 3650)]
+    days: Option<u32>,
+}
+
+/// Shown this once.
+#[derive(Serialize, ToSchema)]
+pub struct Token {
+    account: String,
+    token: String,
+}
+
+/// Does something in the caller's name. Waits for the disk.
+async fn by<T: Send + 'static>(
+    server: Arc<Server>,
+    caller: Caller,
+    act: impl FnOnce(&Server, &By<'_>, &Caller) -> Answer<T> + Send + 'static,
+) -> Answer<T> {
+    blocking(&server, move |server| {
+        caller.need(server, Right::Accounts)?;
+        let (database, recorder) = (&server.database, &server.recorder);
+        act(server, &By { database, recorder, actor: Some(&caller.name), now: server.now() }, &caller)
+    })
+    .await
+}
+
+/// All accounts, with when they were last used
+#[utoipa::path(get, path = "/api/v1/accounts", tag = "accounts", security(("token" = []), ("session" = [])),
+    responses((status = 200, body = Accounts), Refused))]
+pub async fn list(State(server): State<Arc<Server>>, caller: Caller) -> Answer<Json<Accounts>> {
+    by(server, caller, |server, by, _| {
+        let accounts = server.database.accounts()?.iter().map(|a| a.told(by.now)).collect();
+        Ok(Json(Accounts { accounts }))
+    })
+    .await
+}
+
+fn days(given: Option<u32>) -> Answer<u32> {
+    let days = given.unwrap_or(TOKEN_DAYS);
+    match (1..=3650).contains(&days) {
+        true => Ok(days),
+        false => Err(Refusal::unusable(format!("days: expected 1 to 3650, found {days}"))),
+    }
+}
+
+/// Make an account; its token is in the answer and nowhere else
+#[utoipa::path(post, path = "/api/v1/accounts", tag = "accounts", request_body = NewAccount,
+    security(("token" = []), ("session" = [])), responses((status = 201, body = Token), Refused))]
+pub async fn add(
+    State(server): State<Arc<Server>>,
+    caller: Caller,
+    body: Result<Json<NewAccount>, JsonRejection>,
+) -> Answer<Response> {
+    // Who may not make accounts is not told what one is made of.
+    caller.need(&server, Right::Accounts)?;
+    let new = given(body)?;
+    let days = days(new.days)?;
+    by(server, caller, move |server, by, _| {
+        let ceiling = Marking::parse(&new.ceiling).map_err(|e| Refusal::unusable(e.to_string()))?;
+        if !server.ceiling.covers(&ceiling) {
+            return Err(Refusal::unusable(format!("ceiling: expected at most the server's, {}", server.ceiling)));
+        }
+        let token = by.add(&new.name, new.roles.try_into()?, ceiling, days)?;
+        Ok((StatusCode::CREATED, Json(Token { account: new.name, token: token.to_string() })).into_response())
+    })
+    .await
+}
+
+fn there(server: &Server, name: &str) -> Answer<()> {
+    server.database.account(name)?.map(drop).ok_or_else(Refusal::not_found)
+}
+
+/// Disable an account: its token and its sessions are no longer good
+#[utoipa::path(post, path = "/api/v1/accounts/{name}/disable", tag = "accounts", params(("name" = String, Path)),
+    security(("token" = []), ("session" = [])), responses((status = 204), Refused))]
+pub async fn disable(
+    State(server): State<Arc<Server>>,
+    caller: Caller,
+    Path(name): Path<String>,
+) -> Answer<StatusCode> {
+    by(server, caller, move |server, by, caller| {
+        there(server, &name)?;
+        if name == caller.name {
+            return Err(Refusal::conflict("nobody disables the account that he uses"));
+        }
+        by.disable(&name, true)?;
+        server.sessions.end_all_of(&name);
+        Ok(StatusCode::NO_CONTENT)
+    })
+    .await
+}
+
+/// Enable an account again, and unlock it
+#[utoipa::path(post, path = "/api/v1/accounts/{name}/enable", tag = "accounts", params(("name" = String, Path)),
+    security(("token" = []), ("session" = [])), responses((status = 204), Refused))]
+pub async fn enable(State(server): State<Arc<Server>>, caller: Caller, Path(name): Path<String>) -> Answer<StatusCode> {
+    by(server, caller, move |server, by, _| {
+        there(server, &name)?;
+        by.disable(&name, false)?;
+        Ok(StatusCode::NO_CONTENT)
+    })
+    .await
+}
+
+/// Another token for an account; the one before is no longer good
+#[utoipa::path(post, path = "/api/v1/accounts/{name}/token", tag = "accounts", params(("name" = String, Path)),
+    security(("token" = []), ("session" = [])), responses((status = 201, body = Token), Refused))]
+pub async fn renew(State(server): State<Arc<Server>>, caller: Caller, Path(name): Path<String>) -> Answer<Response> {
+    by(server, caller, move |server, by, _| {
+        there(server, &name)?;
+        let token = by.renew(&name, TOKEN_DAYS)?;
+        server.sessions.end_all_of(&name);
+        Ok((StatusCode::CREATED, Json(Token { account: name, token: token.to_string() })).into_response())
+    })
+    .await
+}

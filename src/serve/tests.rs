@@ -1,0 +1,681 @@
+//! The routes without a socket.
+
+use std::collections::BTreeSet;
+use std::io::{Cursor, Read as _};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use axum::body::{Body, to_bytes};
+use axum::http::{HeaderMap, Request, StatusCode};
+use clap::ValueEnum as _;
+use serde_json::{Value, json};
+use tokio::sync::Semaphore;
+use tower::ServiceExt as _;
+
+use super::account::{LOCKED_FOR, MOST_FAILURES};
+use super::administration::By;
+use super::database::{Database, Ended, State};
+use super::role::Role;
+use super::viewers::Viewers;
+use super::{Clock, Limits, Server, api, place, recorder, runner};
+use crate::audit::keys::tests::shared_key;
+use crate::audit::{DataFolder, Marking, events};
+use crate::cli::device::Device;
+
+const BEGIN: u64 = 1_790_000_000_000;
+
+/// A server with its folder, its clock, and accounts.
+struct Fixture {
+    _folder: tempfile::TempDir,
+    server: Arc<Server>,
+    clock: Arc<AtomicU64>,
+    runtime: tokio::runtime::Runtime,
+}
+
+struct Answered {
+    status: StatusCode,
+    headers: HeaderMap,
+    body: Vec<u8>,
+}
+
+impl Answered {
+    fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap_or_else(|e| panic!("{e}: {}", self.text()))
+    }
+    fn text(&self) -> String {
+        String::from_utf8_lossy(&self.body).into_owned()
+    }
+}
+
+/// How somebody shows who he is.
+#[derive(Clone, Default)]
+struct As {
+    token: Option<String>,
+    cookie: Option<String>,
+    csrf: Option<String>,
+}
+
+impl From<&str> for As {
+    fn from(token: &str) -> As {
+        As { token: Some(token.to_owned()), ..As::default() }
+    }
+}
+
+fn nobody() -> As {
+    As::default()
+}
+
+impl Fixture {
+    fn new() -> Fixture {
+        Fixture::with(|_| {})
+    }
+
+    fn with(change: impl FnOnce(&mut Limits)) -> Fixture {
+        let folder = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(folder.path().join("data"));
+        let keys = data.subfolder("keys").unwrap();
+        shared_key().save(&keys.join("orb-signing.pem"), None).unwrap();
+        let clock = Arc::new(AtomicU64::new(BEGIN));
+        let own = Arc::clone(&clock);
+        let now: Clock = Arc::new(move || own.load(Ordering::Relaxed));
+        let mut limits = Limits::default();
+        change(&mut limits);
+        let place = place::Place::open(&data).unwrap();
+        let places = |n| Arc::new(Semaphore::new(n));
+        let server = Server {
+            database: Database::open(&place.database()).unwrap(),
+            place,
+            sessions: Default::default(),
+            live: Default::default(),
+            recorder: recorder::Recorder::new(data, "orb serve"),
+            viewers: Viewers::new(Device::Cpu),
+            limits,
+            ceiling: Marking::parse("SECRET").unwrap(),
+            has_key: false,
+            names: vec!["orb.example".into()],
+            encrypted: false,
+            clock: now,
+            counts: Default::default(),
+            uploads: places(4),
+            downloads: places(4),
+            streams: places(4),
+            checks: places(1),
+        };
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        Fixture { _folder: folder, server: Arc::new(server), clock, runtime }
+    }
+
+    fn account(&self, name: &str, roles: &str, ceiling: &str) -> String {
+        let (database, recorder) = (&self.server.database, &self.server.recorder);
+        let by = By { database, recorder, actor: None, now: self.server.now() };
+        by.add(name, roles.parse().unwrap(), Marking::parse(ceiling).unwrap(), 30).unwrap().to_string()
+    }
+
+    fn send(&self, request: Request<Body>) -> Answered {
+        let router = api::router(Arc::clone(&self.server));
+        self.runtime.block_on(async {
+            let (head, body) = router.oneshot(request).await.unwrap().into_parts();
+            let body = to_bytes(body, 1 << 28).await.unwrap().to_vec();
+            Answered { status: head.status, headers: head.headers, body }
+        })
+    }
+
+    fn ask(&self, method: &str, path: &str, who: &As, body: Option<Value>) -> Answered {
+        let mut request = Request::builder().method(method).uri(path).header("host", "localhost:8080");
+        if let Some(token) = &who.token {
+            request = request.header("authorization", format!("Bearer {token}"));
+        }
+        if let Some(cookie) = &who.cookie {
+            request = request.header("cookie", format!("other=1; orb_session={cookie}"));
+        }
+        if let Some(csrf) = &who.csrf {
+            request = request.header("x-orb-csrf", csrf);
+        }
+        let body = match body {
+            Some(value) => {
+                request = request.header("content-type", "application/json");
+                Body::from(value.to_string())
+            }
+            None => Body::empty(),
+        };
+        self.send(request.body(body).unwrap())
+    }
+
+    fn get(&self, path: &str, who: &As) -> Answered {
+        self.ask("GET", path, who, None)
+    }
+
+    fn status(&self, method: &str, path: &str, who: &As) -> u16 {
+        self.ask(method, path, who, None).status.as_u16()
+    }
+
+    fn submit(&self, who: &As, fields: &[(&str, &str)], files: &[(&str, &[u8])]) -> Answered {
+        let mut body = Vec::new();
+        for (name, value) in fields {
+            body.extend(format!("--X\r\nContent-Disposition: form-data; name=\"{name}\"\r\n\r\n{value}\r\n").bytes());
+        }
+        for (name, bytes) in files {
+            let head = format!("--X\r\nContent-Disposition: form-data; name=\"photo\"; filename=\"{name}\"\r\n\r\n");
+            body.extend(head.bytes().chain(bytes.iter().copied()).chain(*b"\r\n"));
+        }
+        body.extend(b"--X--\r\n");
+        let request = Request::builder()
+            .method("POST")
+            .uri("/api/v1/jobs")
+            .header("host", "localhost")
+            .header("authorization", format!("Bearer {}", who.token.clone().unwrap_or_default()))
+            .header("content-type", "multipart/form-data; boundary=X");
+        self.send(request.body(Body::from(body)).unwrap())
+    }
+
+    fn submitted(&self, who: &As) -> String {
+        let answer = self.submit(who, &[("origin", "34.5,-118.4,740")], &[("van.png", &photo(64, 64))]);
+        assert_eq!(answer.status, 201, "{}", answer.text());
+        answer.json()["id"].as_str().unwrap().to_owned()
+    }
+
+    /// As if the runner had run the job that has waited longest.
+    fn finish(&self, files: &[(&str, &[u8])]) -> String {
+        let job = self.server.database.take(self.server.now()).unwrap().unwrap();
+        let out = self.server.place.published(&job.id, job.attempt);
+        for (name, bytes) in files {
+            let path = out.join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, bytes).unwrap();
+        }
+        let ended =
+            Ended { state: State::Done, exit_code: Some(0), error: None, result: None, marking: None, bytes: 10 };
+        self.server.database.end(&job.id, &ended, self.server.now()).unwrap();
+        job.id
+    }
+
+    /// The kinds and codes of the ledger's events.
+    fn ledger(&self) -> Vec<String> {
+        self.server.recorder.flush(self.server.now(), true);
+        let path = self.server.recorder.data().path().join("ledger/orb-ledger.jsonl");
+        let text = events::list(&path).unwrap();
+        text.lines().map(|l| l.split_whitespace().skip(2).collect::<Vec<_>>().join(" ")).collect()
+    }
+}
+
+fn photo(width: u32, height: u32) -> Vec<u8> {
+    let mut png = Cursor::new(Vec::new());
+    let pixels = image::RgbImage::from_fn(width, height, |x, y| image::Rgb([x as u8, y as u8, 128]));
+    pixels.write_to(&mut png, image::ImageFormat::Png).unwrap();
+    png.into_inner()
+}
+
+/// Every operation of the document, `{…}` filled in with what is a name and names nothing.
+fn operations() -> Vec<(String, String)> {
+    let document = serde_json::to_value(api::document()).unwrap();
+    let mut out = Vec::new();
+    for (path, item) in document["paths"].as_object().unwrap() {
+        let path = path.replace("{id}", &"0".repeat(32)).replace("{*name}", "preview.png").replace("{name}", "nobody");
+        for method in item.as_object().unwrap().keys().filter(|m| *m != "parameters") {
+            out.push((method.to_uppercase(), path.clone()));
+        }
+    }
+    out
+}
+
+#[test]
+fn the_document_and_the_routes_are_one() {
+    let document = serde_json::to_value(api::document()).unwrap();
+    assert!(document["openapi"].as_str().unwrap().starts_with("3.1"));
+    let all = operations();
+    assert!(all.len() >= 20, "{all:?}");
+    // What stands in the document is there: nobody is let in, and nothing is not found.
+    let fixture = Fixture::new();
+    for (method, path) in &all {
+        let open = ["GET /health", "POST /api/v1/session"].contains(&format!("{method} {path}").as_str());
+        let status = fixture.status(method, path, &nobody());
+        let expected: &[u16] = if open { &[200, 422] } else { &[401] };
+        assert!(expected.contains(&status), "{method} {path}: {status}");
+    }
+    let served = fixture.get("/openapi.json", &nobody());
+    assert_eq!(served.json(), document);
+    // What is there stands in the document: no route of the interface comes in by another way.
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/serve/api");
+    let mut others = BTreeSet::new();
+    for entry in crate::audit::disk::walk(&folder).unwrap() {
+        let text = std::fs::read_to_string(entry.path).unwrap();
+        others.extend(text.split(".route(\"").skip(1).map(|rest| rest.split('"').next().unwrap().to_owned()));
+    }
+    let page = ["/", "/icon.svg", "/openapi.json", "/page.css", "/page.js", "/view/{id}/", "/view/{id}/{part}"];
+    assert_eq!(others.into_iter().collect::<Vec<_>>(), page);
+}
+
+#[test]
+fn roles() {
+    let fixture = Fixture::new();
+    let accounts: Vec<(Role, As)> = Role::value_variants()
+        .iter()
+        .map(|role| (*role, As::from(fixture.account(&role.name(), &role.name(), "SECRET").as_str())))
+        .collect();
+    let id = "0".repeat(32);
+    for (method, path, allowed) in [
+        ("GET", "/api/v1/jobs".to_owned(), "viewer operator marking-officer auditor"),
+        ("POST", "/api/v1/jobs".to_owned(), "operator"),
+        ("GET", format!("/api/v1/jobs/{id}"), "viewer operator marking-officer auditor"),
+        ("GET", format!("/api/v1/jobs/{id}/events"), "viewer operator marking-officer auditor"),
+        ("POST", format!("/api/v1/jobs/{id}/verify"), "viewer operator marking-officer auditor"),
+        ("GET", format!("/api/v1/jobs/{id}/record"), "viewer operator marking-officer auditor"),
+        ("GET", format!("/api/v1/jobs/{id}/files"), "viewer operator marking-officer"),
+        ("GET", format!("/api/v1/jobs/{id}/files/scene.ply"), "viewer operator marking-officer"),
+        ("GET", format!("/api/v1/jobs/{id}/archive.zip"), "viewer operator marking-officer"),
+        ("GET", format!("/view/{id}/"), "viewer operator marking-officer"),
+        ("GET", format!("/view/{id}/frame"), "viewer operator marking-officer"),
+        ("POST", format!("/api/v1/jobs/{id}/cancel"), "operator"),
+        ("DELETE", format!("/api/v1/jobs/{id}"), "operator"),
+        ("GET", "/api/v1/accounts".to_owned(), "admin"),
+        ("POST", "/api/v1/accounts".to_owned(), "admin"),
+        ("POST", "/api/v1/accounts/x/disable".to_owned(), "admin"),
+        ("POST", "/api/v1/accounts/x/enable".to_owned(), "admin"),
+        ("POST", "/api/v1/accounts/x/token".to_owned(), "admin"),
+        ("GET", "/api/v1/events".to_owned(), "auditor"),
+        ("GET", "/metrics".to_owned(), "monitor"),
+    ] {
+        let let_in: Vec<String> = accounts
+            .iter()
+            .filter(|(_, who)| fixture.status(method, &path, who) != 403)
+            .map(|(r, _)| r.name())
+            .collect();
+        assert_eq!(let_in.join(" "), allowed, "{method} {path}");
+    }
+    assert!(fixture.ledger().iter().any(|e| e.starts_with("access.refused failure ROLE account=viewer")));
+}
+
+#[test]
+fn sessions_end_and_are_not_borrowed() {
+    let fixture = Fixture::new();
+    let token = fixture.account("jane", "operator", "SECRET");
+    let sign_in = |token: &str| fixture.ask("POST", "/api/v1/session", &nobody(), Some(json!({"token": token})));
+    let answer = sign_in(&token);
+    assert_eq!(answer.status, 200, "{}", answer.text());
+    let cookie = answer.headers["set-cookie"].to_str().unwrap().to_owned();
+    assert!(cookie.contains("; HttpOnly; SameSite=Strict;") && !cookie.contains(&token));
+    let id = cookie.split(['=', ';']).nth(1).unwrap().to_owned();
+    let csrf = answer.json()["csrf"].as_str().unwrap().to_owned();
+    let with = |csrf: Option<&str>| As { token: None, cookie: Some(id.clone()), csrf: csrf.map(str::to_owned) };
+    assert_eq!(fixture.get("/api/v1/session", &with(None)).json()["account"], "jane");
+    // A change wants the secret that a page of another server's cannot read.
+    assert_eq!(fixture.status("POST", "/api/v1/jobs/x/cancel", &with(None)), 403);
+    assert_eq!(fixture.status("POST", "/api/v1/jobs/x/cancel", &with(Some("0".repeat(64).as_str()))), 403);
+    assert_eq!(fixture.status("POST", "/api/v1/jobs/x/cancel", &with(Some(&csrf))), 404);
+    assert_eq!(fixture.status("DELETE", "/api/v1/session", &with(Some(&csrf))), 204);
+    assert_eq!(fixture.status("GET", "/api/v1/session", &with(None)), 401, "a cookie of a session that is over");
+    // Time.
+    let id = sign_in(&token).headers["set-cookie"].to_str().unwrap().split(['=', ';']).nth(1).unwrap().to_owned();
+    let with = As { cookie: Some(id), ..As::default() };
+    fixture.clock.fetch_add(super::session::IDLE, Ordering::Relaxed);
+    assert_eq!(fixture.status("GET", "/api/v1/session", &with), 401, "idle for too long");
+    // Another token.
+    let id = sign_in(&token).headers["set-cookie"].to_str().unwrap().split(['=', ';']).nth(1).unwrap().to_owned();
+    let with = As { cookie: Some(id), ..As::default() };
+    let admin = As::from(fixture.account("root", "admin", "UNCLASSIFIED").as_str());
+    let renewed = fixture.ask("POST", "/api/v1/accounts/jane/token", &admin, None);
+    assert_eq!(renewed.status, 201);
+    assert_eq!(fixture.status("GET", "/api/v1/session", &with), 401, "a session of the token before");
+    assert_eq!(sign_in(&token).status, 401, "the token before");
+    let token = renewed.json()["token"].as_str().unwrap().to_owned();
+    assert_eq!(sign_in(&token).status, 200);
+    // Disabled, enabled.
+    assert_eq!(fixture.status("POST", "/api/v1/accounts/jane/disable", &admin), 204);
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &token.as_str().into()), 401);
+    assert_eq!(fixture.status("POST", "/api/v1/accounts/jane/enable", &admin), 204);
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &token.as_str().into()), 200);
+    assert_eq!(fixture.status("POST", "/api/v1/accounts/root/disable", &admin), 409);
+    // Expired.
+    fixture.clock.fetch_add(366 * 24 * 3600 * 1000, Ordering::Relaxed);
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &token.as_str().into()), 401);
+    let ledger = fixture.ledger();
+    for event in [
+        "account.add success account=jane",
+        "account.change success account=jane by=root change=token",
+        "account.change success account=jane by=root change=disabled",
+        "session.begin success account=jane",
+        "session.end success account=jane",
+        "access.refused failure CSRF account=jane times=2",
+        "access.refused failure TOKEN_EXPIRED account=jane",
+        "access.refused failure ACCOUNT_DISABLED account=jane",
+    ] {
+        assert!(ledger.iter().any(|e| e.starts_with(event)), "{event} in {ledger:#?}");
+    }
+    assert!(!ledger.join("").contains(&token[9..30]));
+}
+
+#[test]
+fn wrong_tokens_lock_an_account() {
+    let fixture = Fixture::new();
+    let token = fixture.account("jane", "viewer", "SECRET");
+    let who = As::from(token.as_str());
+    let other = if token.as_bytes()[12] == b'A' { 'B' } else { 'A' };
+    let wrong: As = format!("{}{other}{}", &token[..12], &token[13..]).as_str().into();
+    for _ in 1..MOST_FAILURES {
+        assert_eq!(fixture.status("GET", "/api/v1/jobs", &wrong), 401);
+    }
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &who), 200, "a good one begins the count again");
+    for _ in 0..MOST_FAILURES {
+        assert_eq!(fixture.status("GET", "/api/v1/jobs", &wrong), 401);
+    }
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &who), 401, "locked");
+    fixture.clock.fetch_add(LOCKED_FOR, Ordering::Relaxed);
+    assert_eq!(fixture.status("GET", "/api/v1/jobs", &who), 200, "no longer");
+    // The same words whatever is wrong.
+    let words = |token: &str| fixture.get("/api/v1/jobs", &token.into()).text();
+    let unknown = words(&token.replace("jane", "john"));
+    for other in [words("orb_x"), words(""), words("orb_jane_!"), words(&token[..20])] {
+        assert_eq!(other, unknown);
+    }
+    let ledger = fixture.ledger();
+    assert!(ledger.contains(&"account.lock success account=jane".to_owned()), "{ledger:#?}");
+    assert!(ledger.contains(&"access.refused failure ACCOUNT_UNKNOWN account= times=1".to_owned()), "{ledger:#?}");
+}
+
+#[test]
+fn a_submission_is_judged_before_it_is_kept() {
+    let fixture = Fixture::with(|l| {
+        l.pixels = 10_000;
+        l.upload = 100_000;
+    });
+    let operator = As::from(fixture.account("jane", "operator", "CUI").as_str());
+    let small = photo(64, 64);
+    let origin = ("origin", "34.5,-118.4,740");
+    let long = "1".repeat(5000);
+    for (fields, files, status, words) in [
+        (vec![origin], vec![], 422, "photo"),
+        (vec![origin], vec![("a.png", &b""[..])], 422, "photo"),
+        (vec![origin], vec![("a.png", &b"#!/bin/sh"[..])], 422, "JPEG"),
+        (vec![origin], vec![("a.png", &photo(200, 100)[..])], 422, "200 × 100"),
+        (vec![origin], vec![("a.png", &[0; 150_000][..])], 413, ""),
+        (vec![origin], vec![("a.png", &small[..]), ("b.png", &small[..])], 422, "expected one"),
+        (vec![], vec![("a.png", &small[..])], 422, "origin"),
+        (vec![("origin", "91,0,0")], vec![("a.png", &small[..])], 422, "latitude"),
+        (vec![("origin", "34.5,-118.4")], vec![("a.png", &small[..])], 422, "height"),
+        (vec![origin, origin], vec![("a.png", &small[..])], 422, "once"),
+        (vec![("origin", long.as_str())], vec![("a.png", &small[..])], 413, "field"),
+        (vec![origin, ("output", "/tmp/x")], vec![("a.png", &small[..])], 422, "output"),
+        (vec![origin, ("photos", "x")], vec![("a.png", &small[..])], 422, "photo"),
+        (vec![origin, ("length", "-1")], vec![("a.png", &small[..])], 422, "length"),
+        (vec![origin, ("classification", "CUI")], vec![("a.png", &small[..])], 403, "roles"),
+    ] {
+        let answer = fixture.submit(&operator, &fields, &files);
+        assert_eq!(answer.status, status, "{fields:?}: {}", answer.text());
+        assert!(answer.json()["message"].as_str().unwrap().contains(words), "{}", answer.text());
+    }
+    let incoming = fixture.server.place.incoming("");
+    assert_eq!(std::fs::read_dir(incoming).unwrap().count(), 0, "nothing of them is left");
+    assert_eq!(fixture.get("/api/v1/jobs", &operator).json()["jobs"], json!([]));
+    // A name from outside is no path.
+    let answer = fixture.submit(
+        &operator,
+        &[origin, ("format", "glb"), ("format", "cdb")],
+        &[("../../../etc/cron d.png", &small)],
+    );
+    assert_eq!(answer.status, 201, "{}", answer.text());
+    let job = answer.json();
+    assert_eq!(
+        (&job["name"], &job["marking"], &job["state"]),
+        (&json!("cron_d"), &json!("UNCLASSIFIED"), &json!("queued"))
+    );
+    assert_eq!(job["request"]["format"], json!(["glb", "cdb"]));
+    let kept = fixture.server.place.job(job["id"].as_str().unwrap()).join("in/cron_d.png");
+    assert_eq!(std::fs::read(kept).unwrap(), small);
+    // Half a form.
+    let cut = Request::builder()
+        .method("POST")
+        .uri("/api/v1/jobs")
+        .header("host", "localhost")
+        .header("authorization", format!("Bearer {}", operator.token.clone().unwrap()))
+        .header("content-type", "multipart/form-data; boundary=X");
+    let answer =
+        fixture.send(cut.body(Body::from("--X\r\nContent-Disposition: form-data; name=\"photo\"\r\n\r\nabc")).unwrap());
+    assert_eq!(answer.status, 422);
+}
+
+#[test]
+fn markings_and_ceilings() {
+    let fixture = Fixture::new();
+    let low = As::from(fixture.account("low", "operator,marking-officer", "UNCLASSIFIED").as_str());
+    let high = As::from(fixture.account("high", "operator,marking-officer", "SECRET").as_str());
+    let top = As::from(fixture.account("top", "operator,marking-officer", "TOP SECRET").as_str());
+    let with = |who: &As, marking: &str| {
+        let fields = [
+            ("origin", "34.5,-118.4,740"),
+            ("classification", marking),
+            ("classified_by", "J. Doe, Analyst"),
+            ("derived_from", "Guide, Agency, 20260101"),
+            ("declassify_on", "20500101"),
+        ];
+        fixture.submit(who, if marking == "CUI" { &fields[..2] } else { &fields }, &[("van.png", &photo(64, 64))])
+    };
+    for (who, marking, code) in [
+        (&low, "SECRET", "ABOVE_CEILING"),
+        (&high, "SECRET//NOFORN", "ABOVE_SERVER_CEILING"),
+        (&top, "TOP SECRET", "ABOVE_SERVER_CEILING"),
+        (&high, "SECRET", "KEY_REQUIRED"),
+        (&high, "COSMIC TOP SECRET", "REFUSED_BY_POLICY"),
+    ] {
+        let answer = with(who, marking);
+        assert_eq!(
+            (answer.status.as_u16(), &answer.json()["code"]),
+            (403, &json!(code)),
+            "{marking}: {}",
+            answer.text()
+        );
+    }
+    // A job that is marked is not there for who is below it.
+    let id = fixture.submitted(&high);
+    fixture.finish(&[("scene.ply", b"ply")]);
+    let lift = "UPDATE job SET marking = 'CUI'";
+    rusqlite::Connection::open(fixture.server.place.database()).unwrap().execute(lift, []).unwrap();
+    for path in [
+        format!("/api/v1/jobs/{id}"),
+        format!("/api/v1/jobs/{id}/files/scene.ply"),
+        format!("/view/{id}/"),
+        format!("/api/v1/jobs/{id}/archive.zip"),
+        format!("/api/v1/jobs/{id}/events"),
+        format!("/api/v1/jobs/{id}/record"),
+    ] {
+        let (hidden, absent) = (fixture.get(&path, &low), fixture.get(&path.replace(&id, &"0".repeat(32)), &low));
+        assert_eq!((hidden.status.as_u16(), hidden.body), (404, absent.body), "{path}");
+    }
+    let seen = |who: &As| fixture.get("/api/v1/jobs", who).json()["jobs"].as_array().unwrap().len();
+    assert_eq!((seen(&low), seen(&high)), (0, 1));
+    let file = fixture.get(&format!("/api/v1/jobs/{id}/files/scene.ply"), &high);
+    assert_eq!((file.status.as_u16(), &file.headers["x-orb-marking"]), (200, &"CUI".parse().unwrap()));
+    assert!(fixture.ledger().iter().any(|e| e.starts_with("access.refused failure ABOVE_CEILING account=low")));
+    // An administrator gives nobody more than the server takes.
+    let admin = As::from(fixture.account("root", "admin", "UNCLASSIFIED").as_str());
+    let add = |ceiling: &str, roles: Value| {
+        let new = json!({"name": "new", "roles": roles, "ceiling": ceiling});
+        fixture.ask("POST", "/api/v1/accounts", &admin, Some(new)).status.as_u16()
+    };
+    assert_eq!(add("TOP SECRET", json!(["viewer"])), 422);
+    assert_eq!(add("CUI", json!(["viewer", "admin"])), 422);
+    assert_eq!(add("CUI", json!(["root"])), 422);
+    assert_eq!(add("CUI", json!([])), 422);
+    assert_eq!(add("CUI", json!(["viewer"])), 201);
+    assert_eq!(add("CUI", json!(["viewer"])), 422, "taken");
+    let all = fixture.get("/api/v1/accounts", &admin);
+    assert!(all.json()["accounts"].as_array().unwrap().len() == 5 && !all.text().contains("sha256"));
+}
+
+#[test]
+fn results_are_found_by_their_names_alone() {
+    let fixture = Fixture::new();
+    let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
+    let john = As::from(fixture.account("john", "operator", "SECRET").as_str());
+    let id = fixture.submitted(&jane);
+    let at = format!("/api/v1/jobs/{id}");
+    assert_eq!(fixture.status("GET", &format!("{at}/files"), &jane), 409, "nothing yet");
+    let big: Vec<u8> = (0..300_000u32).map(|i| (i * i >> 7) as u8).collect();
+    let files: [(&str, &[u8]); 3] = [("scene.ply", &big), ("van.cdb/Tiles/N34/x.zip", b"zip"), ("preview.png", b"png")];
+    assert_eq!(fixture.finish(&files), id);
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("/etc/passwd", fixture.server.place.published(&id, 1).join("link")).unwrap();
+    let listed = fixture.get(&format!("{at}/files"), &john).json();
+    let names: Vec<&str> = listed["files"].as_array().unwrap().iter().map(|f| f["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["preview.png", "scene.ply", "van.cdb/Tiles/N34/x.zip"]);
+    for (name, bytes) in files {
+        let answer = fixture.get(&format!("{at}/files/{name}"), &john);
+        assert_eq!((answer.status.as_u16(), answer.body.as_slice()), (200, bytes), "{name}");
+        assert_eq!(answer.headers["x-orb-marking"], "UNCLASSIFIED");
+        assert_eq!(answer.headers["x-content-type-options"], "nosniff");
+    }
+    for name in [
+        "link",
+        "../../in/van.png",
+        "..%2f..%2fin%2fvan.png",
+        "%2e%2e/%2e%2e/in/van.png",
+        "/etc/passwd",
+        "%2fetc%2fpasswd",
+        "scene.ply/",
+        "./scene.ply",
+        "scene.ply%00",
+        "van.cdb",
+        "SCENE.PLY",
+        "..\\in\\van.png",
+    ] {
+        assert_eq!(fixture.status("GET", &format!("{at}/files/{name}"), &jane), 404, "{name}");
+    }
+    for id in ["..", "%2e%2e%2f", "x", &id.to_uppercase(), &format!("{id}0")] {
+        assert_eq!(fixture.status("GET", &format!("/api/v1/jobs/{id}"), &jane), 404, "{id}");
+        assert_eq!(fixture.status("DELETE", &format!("/api/v1/jobs/{id}"), &jane), 404, "{id}");
+    }
+    let archive = fixture.get(&format!("{at}/archive.zip"), &john);
+    let mut archive = zip::ZipArchive::new(Cursor::new(archive.body)).unwrap();
+    assert_eq!((archive.len(), archive.comment()), (3, &b"UNCLASSIFIED"[..]));
+    let mut bytes = Vec::new();
+    archive.by_name("van/scene.ply").unwrap().read_to_end(&mut bytes).unwrap();
+    assert_eq!(bytes, big);
+    // What others submitted is not anyone's to end.
+    assert_eq!(fixture.status("DELETE", &at, &john), 403);
+    assert_eq!(fixture.status("POST", &format!("{at}/cancel"), &john), 403);
+    assert_eq!(fixture.status("POST", &format!("{at}/cancel"), &jane), 409, "over");
+    assert_eq!(fixture.status("DELETE", &at, &jane), 204);
+    assert_eq!(fixture.status("GET", &at, &jane), 404);
+    assert!(!fixture.server.place.job(&id).exists());
+    let ledger = fixture.ledger();
+    assert!(ledger.iter().any(|e| e.starts_with("job.delete success account=jane job=")), "{ledger:#?}");
+}
+
+#[test]
+fn a_queue_has_an_end_and_jobs_their_order() {
+    let fixture = Fixture::with(|l| {
+        l.queue = 3;
+        l.queue_each = 2;
+    });
+    let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
+    let john = As::from(fixture.account("john", "operator", "SECRET").as_str());
+    let small = photo(64, 64);
+    let submit =
+        |who: &As, photo: &[u8]| fixture.submit(who, &[("origin", "1,2,3")], &[("a.png", photo)]).status.as_u16();
+    let ids = [fixture.submitted(&jane), fixture.submitted(&jane)];
+    assert_eq!(submit(&jane, &small), 503, "of her own");
+    let third = fixture.submitted(&john);
+    assert_eq!(submit(&john, &small), 503, "of all");
+    assert_eq!(fixture.get(&format!("/api/v1/jobs/{third}"), &john).json()["waiting_before"], 2);
+    // A job that waits is cancelled at once, one that runs is told to stop.
+    let running = fixture.server.database.take(BEGIN).unwrap().unwrap();
+    assert_eq!((&running.id, running.attempt), (&ids[0], 1));
+    for (id, state, cancelling) in [(&ids[1], "cancelled", false), (&ids[0], "running", true)] {
+        let answer = fixture.ask("POST", &format!("/api/v1/jobs/{id}/cancel"), &jane, None);
+        assert_eq!(answer.status, 202);
+        assert_eq!((&answer.json()["state"], &answer.json()["cancelling"]), (&json!(state), &json!(cancelling)));
+    }
+    assert_eq!(fixture.status("DELETE", &format!("/api/v1/jobs/{}", ids[0]), &jane), 409, "it runs");
+    // Pages of a list.
+    let page = |query: &str| -> Vec<i64> {
+        let answer = fixture.get(&format!("/api/v1/jobs?{query}"), &jane).json();
+        answer["jobs"].as_array().unwrap().iter().map(|j| j["number"].as_i64().unwrap()).collect()
+    };
+    assert_eq!((page("limit=2"), page("before=2"), page("state=queued")), (vec![3, 2], vec![1], vec![3]));
+    for wrong in ["limit=0", "limit=201", "limit=x", "state=lost", "colour=red"] {
+        assert_eq!(fixture.status("GET", &format!("/api/v1/jobs?{wrong}"), &jane), 422, "{wrong}");
+    }
+    // Bytes.
+    let fixture = Fixture::with(|l| l.stored = 3 * photo(64, 64).len() as u64 - 1);
+    let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
+    let submit = || fixture.submit(&jane, &[("origin", "1,2,3")], &[("a.png", &small)]).status.as_u16();
+    assert_eq!([submit(), submit(), submit()], [201, 201, 507]);
+    assert_eq!(std::fs::read_dir(fixture.server.place.job("")).unwrap().count(), 2);
+}
+
+#[test]
+fn what_was_running_is_put_back_and_given_up_after_some_times() {
+    let fixture = Fixture::new();
+    let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
+    let (first, second) = (fixture.submitted(&jane), fixture.submitted(&jane));
+    let server = &fixture.server;
+    // What no job is known of: half a submission, half a deletion, and what is not the server's.
+    let stray = "a".repeat(32);
+    std::fs::create_dir_all(server.place.job(&stray).join("in")).unwrap();
+    std::fs::create_dir_all(server.place.incoming(&stray)).unwrap();
+    std::fs::create_dir_all(server.place.job("notes")).unwrap();
+    for attempt in 1..=3 {
+        let job = server.database.take(BEGIN).unwrap().unwrap();
+        assert_eq!((&job.id, job.attempt), (&first, attempt), "at its old place");
+        // Half a result.
+        let half = server.place.begin_run(&first, attempt).unwrap().join(".out.staging");
+        std::fs::create_dir(&half).unwrap();
+        runner::recover(server).unwrap();
+        assert!(!server.place.run(&first, attempt).exists());
+    }
+    let job = server.database.job(&first).unwrap().unwrap();
+    assert_eq!((job.state, job.error.as_deref()), (State::Failed, Some("the run was killed, 3 times")));
+    assert!(!server.place.job(&stray).exists() && !server.place.incoming(&stray).exists());
+    assert!(server.place.job("notes").exists() && server.place.job(&second).join("in").exists());
+    // Cancelled, and then killed.
+    assert_eq!(server.database.take(BEGIN).unwrap().unwrap().id, second);
+    fixture.ask("POST", &format!("/api/v1/jobs/{second}/cancel"), &jane, None);
+    runner::recover(server).unwrap();
+    assert_eq!(server.database.job(&second).unwrap().unwrap().state, State::Cancelled);
+}
+
+#[test]
+fn who_comes_from_elsewhere_gets_no_further() {
+    let fixture = Fixture::new();
+    let token = fixture.account("jane", "operator", "SECRET");
+    let ask = |method: &str, path: &str, headers: &[(&str, &str)], body: &str| {
+        let mut request =
+            Request::builder().method(method).uri(path).header("authorization", format!("Bearer {token}"));
+        for (name, value) in headers {
+            request = request.header(*name, *value);
+        }
+        fixture.send(request.body(Body::from(body.to_owned())).unwrap())
+    };
+    let own = ("host", "localhost");
+    let large = "x".repeat(20_000);
+    let address = format!("/api/v1/jobs?{}", "x".repeat(2000));
+    for (method, path, headers, body, expected) in [
+        ("GET", "/api/v1/jobs", vec![own], "", 200),
+        ("GET", "/api/v1/jobs", vec![("host", "ORB.example:443")], "", 200),
+        ("GET", "/api/v1/jobs", vec![("host", "evil.example")], "", 421),
+        ("GET", "/health", vec![("host", "evil.example")], "", 421),
+        ("GET", "/api/v1/jobs", vec![], "", 421),
+        ("GET", "/api/v1/jobs", vec![own, own], "", 421),
+        ("POST", "/api/v1/session", vec![own, ("sec-fetch-site", "cross-site")], "", 403),
+        ("POST", "/api/v1/session", vec![own, ("sec-fetch-site", "same-site")], "", 403),
+        ("POST", "/api/v1/session", vec![own, ("content-type", "text/plain")], "{\"token\":\"x\"}", 422),
+        ("POST", "/api/v1/session", vec![own, ("content-type", "application/json")], large.as_str(), 413),
+        ("GET", address.as_str(), vec![own], "", 414),
+        ("PUT", "/api/v1/jobs", vec![own], "", 405),
+        ("GET", "/api/v1/../../etc/passwd", vec![own], "", 404),
+        ("GET", "/.git/config", vec![own], "", 404),
+    ] {
+        let answer = ask(method, path, &headers, body);
+        assert_eq!(answer.status, expected, "{method} {path} {headers:?}: {}", answer.text());
+        let policy = answer.headers["content-security-policy"].to_str().unwrap();
+        assert!(policy.contains("default-src 'self'") && policy.contains("frame-ancestors 'none'"));
+        assert_eq!(answer.headers["cache-control"], "no-store");
+        assert!(!answer.headers.contains_key("access-control-allow-origin"));
+    }
+    assert_eq!(fixture.get("/health", &nobody()).text(), "ok\n");
+    let page = fixture.get("/", &nobody()).text();
+    assert_eq!(page.matches("</span>SECRET</p>").count(), 2, "a banner above and below");
+    assert!(!page.contains("{{") && !page.contains("http:") && !page.contains("https:"), "nothing from elsewhere");
+    let monitor = As::from(fixture.account("prometheus", "monitor", "UNCLASSIFIED").as_str());
+    let metrics = fixture.get("/metrics", &monitor).text();
+    assert!(metrics.contains("orb_jobs{state=\"queued\"} 0\n") && metrics.contains("class=\"4xx\"} 1"), "{metrics}");
+}
