@@ -53,7 +53,7 @@ pub async fn list(State(server): State<Arc<Server>>, caller: Caller, Path(id): P
 /// One of these files, by its name in the list
 #[utoipa::path(get, path = "/api/v1/jobs/{id}/files/{*name}", tag = "results",
     params(("id" = String, Path), ("name" = String, Path)), security(("token" = []), ("session" = [])),
-    responses((status = 200, body = Vec<u8>, content_type = "application/octet-stream"), Refused))]
+    responses((status = 200, body = Vec<u8>, content_type = "*/*"), Refused))]
 pub async fn one(
     State(server): State<Arc<Server>>,
     caller: Caller,

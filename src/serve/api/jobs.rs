@@ -80,6 +80,16 @@ pub struct InFull {
     pub result: Option<serde_json::Value>,
 }
 
+/// One of a stream of server-sent events.
+#[derive(ToSchema)]
+#[allow(dead_code, reason = "read by the document alone")]
+struct Happened {
+    /// `job`
+    event: String,
+    /// A job in full, as JSON.
+    data: String,
+}
+
 pub fn told(server: &Server, job: Job) -> Told {
     let live = server.live.progress_of(&job.id).filter(|_| job.state == JobState::Running);
     let stage = job.stage.map(|stage| Progress { stage, fraction: None, seconds_left: None });
@@ -162,7 +172,7 @@ pub async fn show(State(server): State<Arc<Server>>, caller: Caller, Path(id): P
 /// A job as it goes on: server-sent events named `job`, each a job in full, until its end
 #[utoipa::path(get, path = "/api/v1/jobs/{id}/events", tag = "jobs", params(("id" = String, Path)),
     security(("token" = []), ("session" = [])),
-    responses((status = 200, body = String, content_type = "text/event-stream"), Refused))]
+    responses((status = 200, body = Happened, content_type = "text/event-stream"), Refused))]
 pub async fn watch(State(server): State<Arc<Server>>, caller: Caller, Path(id): Path<String>) -> Answer<Response> {
     let busy = || Refusal::busy("too many jobs are watched at once");
     let place = Arc::clone(&server.streams).try_acquire_owned().map_err(|_| busy())?;

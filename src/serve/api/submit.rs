@@ -14,7 +14,9 @@ use axum::response::{IntoResponse as _, Response};
 use image::{ImageFormat, ImageReader};
 use tokio::io::AsyncWriteExt as _;
 use tokio::time::timeout;
-use utoipa::ToSchema;
+use utoipa::openapi::RefOr;
+use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, Type};
+use utoipa::{PartialSchema, ToSchema};
 
 use super::jobs::{InFull, told};
 use super::{Answer, Caller, Refused, blocking};
@@ -36,16 +38,28 @@ const ALL_WITHIN: Duration = Duration::from_secs(600);
 const LONGEST: usize = 4 << 10;
 const MOST_FIELDS: usize = 64;
 
-/// As a form sends it.
-#[derive(ToSchema)]
-#[allow(dead_code, reason = "read by the document alone")]
-pub struct Form {
-    /// JPEG, PNG, WebP or TIFF.
-    #[schema(value_type = String, format = Binary)]
-    photo: Vec<u8>,
-    #[schema(inline)]
-    #[serde(flatten)]
-    fields: Submission,
+/// As a form sends it: a photo, and the fields of [`Submission`] beside it.
+pub struct Form;
+
+impl PartialSchema for Form {
+    fn schema() -> RefOr<Schema> {
+        let mut schema = Submission::schema();
+        if let RefOr::T(Schema::Object(object)) = &mut schema {
+            let file = SchemaFormat::KnownFormat(KnownFormat::Binary);
+            let file = ObjectBuilder::new().schema_type(Type::String).format(Some(file));
+            let photo = file.description(Some("JPEG, PNG, WebP or TIFF.")).build();
+            object.properties.remove("photos");
+            object.properties.insert("photo".into(), photo.into());
+            object.required.push("photo".into());
+        }
+        schema
+    }
+}
+
+impl ToSchema for Form {
+    fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
+        Submission::schemas(schemas);
+    }
 }
 
 /// Submit a photo
