@@ -509,7 +509,7 @@ fn results_are_found_by_their_names_alone() {
     let id = fixture.submitted(&jane);
     let at = format!("/api/v1/jobs/{id}");
     assert_eq!(fixture.status("GET", &format!("{at}/files"), &jane), 409, "nothing yet");
-    let big: Vec<u8> = (0..300_000u32).map(|i| (i * i >> 7) as u8).collect();
+    let big: Vec<u8> = (0..300_000u32).map(|i| (i.wrapping_mul(i) >> 7) as u8).collect();
     let files: [(&str, &[u8]); 3] = [("scene.ply", &big), ("van.cdb/Tiles/N34/x.zip", b"zip"), ("preview.png", b"png")];
     assert_eq!(fixture.finish(&files), id);
     #[cfg(unix)]

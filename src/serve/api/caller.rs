@@ -82,7 +82,8 @@ pub fn by_token(server: &Arc<Server>, token: &str) -> Answer<Caller> {
 
 fn settle(server: &Server, name: &str, checked: Checked, csrf: Option<String>) -> Answer<Caller> {
     let (name, code) = match checked {
-        Checked::Good(Account { name, roles, ceiling, token_sha256, .. }) => {
+        Checked::Good(account) => {
+            let Account { name, roles, ceiling, token_sha256, .. } = *account;
             return Ok(Caller { name, roles, ceiling, csrf, token_sha256 });
         }
         // Names that were guessed are not written down.

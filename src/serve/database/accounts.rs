@@ -15,7 +15,7 @@ const COLUMNS: &str =
 /// What came of a token.
 #[derive(Debug)]
 pub enum Checked {
-    Good(Account),
+    Good(Box<Account>),
     /// No such account.
     Unknown,
     /// Not its token.
@@ -144,6 +144,6 @@ impl Database {
             let sql = "UPDATE account SET failures = 0, last_used = ?2 WHERE name = ?1";
             self.connection().execute(sql, params![account.name, int(now)]).map_err(failed)?;
         }
-        Ok(Checked::Good(account))
+        Ok(Checked::Good(Box::new(account)))
     }
 }
