@@ -1,4 +1,5 @@
 //! A headless Chromium, driven over its DevTools protocol through a pair of pipes: JSON messages that end with a zero byte.
+#![allow(dead_code, reason = "each test that drives a browser uses a part of it")]
 
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
