@@ -29,7 +29,7 @@ use super::pem;
 use super::trust::CertChain;
 use crate::{Error, Result};
 pub use algorithm::{Algorithm, Bits, Suite};
-pub use file::passphrase_file;
+pub use file::{passphrase_file, private_file};
 pub use for_run::{KeyForRun, for_marking, keygen};
 pub(super) use for_run::{has_own, own};
 #[cfg(feature = "fips")]

@@ -23,7 +23,7 @@ pub mod ledger;
 pub mod ledger_check;
 pub mod marking;
 pub mod merkle;
-mod pem;
+pub(crate) mod pem;
 pub mod program;
 pub mod publication;
 pub mod record;

@@ -21,6 +21,7 @@ use crate::serve::recorder::Recorder;
 use crate::serve::role::{Role, Roles};
 use crate::serve::runner::{self, Runner};
 use crate::serve::session::Sessions;
+use crate::serve::tls::{Door, Files};
 use crate::serve::viewers::Viewers;
 use crate::serve::{Clock, Limits, Server, api};
 use crate::web::listen;
@@ -60,13 +61,8 @@ pub struct ServeArgs {
     #[arg(long = "name", value_name = "HOST")]
     names: Vec<String>,
 
-    /// A TLS proxy on this machine stands before it: browsers send their cookies under TLS alone.
-    #[arg(long)]
-    behind_tls: bool,
-
-    /// Listen beyond this machine without encryption: tokens and scenes can be read on the way.
-    #[arg(long)]
-    insecure_http: bool,
+    #[command(flatten)]
+    tls: TlsArgs,
 
     /// What runs and viewers compute on.
     #[arg(long, value_enum, default_value_t)]
@@ -94,6 +90,46 @@ pub struct ServeArgs {
 
     #[command(flatten)]
     key: KeyArgs,
+}
+
+/// What protects tokens and scenes on their way.
+#[derive(Args, Clone, Debug)]
+struct TlsArgs {
+    /// Speak TLS: the server's certificate and those between it and its authority, PEM.
+    #[arg(long, value_name = "PEM", requires = "tls_key")]
+    tls_cert: Option<PathBuf>,
+
+    /// The certificate's private key, PEM, without a passphrase, for this user's eyes only (mode 0600).
+    #[arg(long, value_name = "PEM", requires = "tls_cert")]
+    tls_key: Option<PathBuf>,
+
+    /// Answer to those alone who have a certificate of one of these authorities, PEM. They need a token besides.
+    #[arg(long, value_name = "PEM", requires = "tls_cert")]
+    client_ca: Option<PathBuf>,
+
+    /// A TLS proxy on this machine stands before it: browsers send their cookies under TLS alone.
+    #[arg(long, conflicts_with = "tls_cert")]
+    behind_tls: bool,
+
+    /// Listen beyond this machine without encryption: tokens and scenes can be read on the way.
+    #[arg(long)]
+    insecure_http: bool,
+}
+
+impl TlsArgs {
+    fn files(&self) -> Option<Files> {
+        let (certificate, key) = (self.tls_cert.clone()?, self.tls_key.clone()?);
+        Some(Files { certificate, key, client_ca: self.client_ca.clone() })
+    }
+
+    /// For the ledger.
+    fn words(&self) -> &'static str {
+        match (self.tls_cert.is_some(), self.behind_tls) {
+            (true, _) => "on",
+            (false, true) => "proxy",
+            (false, false) => "off",
+        }
+    }
 }
 
 #[derive(Args, Clone, Debug)]
@@ -235,13 +271,13 @@ fn line(a: &crate::serve::account::Told) -> String {
 }
 
 fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
-    let banner = args.max_marking.as_deref().unwrap_or_default();
-    let ceiling = Marking::parse(banner)?;
-    if !args.bind.ip().is_loopback() && !args.insecure_http {
+    let ceiling = Marking::parse(args.max_marking.as_deref().unwrap_or_default())?;
+    let tls = args.tls.files().map(|files| files.load(&args.names, time::now()?.unix_ms)).transpose()?;
+    if !args.bind.ip().is_loopback() && tls.is_none() && !args.tls.insecure_http {
         return Err(Error::policy("--bind")
             .expected("an address of the loopback, where nobody listens on the way")
             .found(args.bind.ip().to_string())
-            .advice("Put a TLS proxy before it, or use ssh -L; --insecure-http does without."));
+            .advice("Give --tls-cert and --tls-key, or use ssh -L; --insecure-http does without."));
     }
     let data = args.data.folder()?;
     let place = Place::open(&data)?;
@@ -266,7 +302,8 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         ceiling,
         has_key: args.key.key.is_some(),
         names: args.names.clone(),
-        encrypted: args.behind_tls,
+        encrypted: tls.is_some() || args.tls.behind_tls,
+        tls: tls.is_some(),
         clock,
         counts: Default::default(),
         uploads: Arc::new(Semaphore::new(UPLOADS)),
@@ -288,8 +325,15 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     };
     let listener = runtime.block_on(tokio::net::TcpListener::bind(args.bind)).map_err(cannot)?;
     let bound = listener.local_addr().map_err(cannot)?;
-    server.recorder.act("serve.start", &[("max_marking", &server.ceiling.banner())])?;
-    super::write_out(&format!("{}\nhttp://{bound}/\n", server.ceiling.banner()));
+    let banner = server.ceiling.banner();
+    let mut about = vec![("max_marking", banner.as_str()), ("tls", args.tls.words())];
+    if let Some(tls) = &tls {
+        tls.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
+        about.push(("certificate_sha256", &tls.certificate_sha256));
+        about.push(("client_certificates", if tls.asks { "required" } else { "not asked for" }));
+    }
+    server.recorder.act("serve.start", &about)?;
+    super::write_out(&format!("{banner}\nhttp{}://{bound}/\n", if server.tls { "s" } else { "" }));
     if server.database.accounts()?.is_empty() {
         eprintln!("orb: there are no accounts yet: orb serve account add NAME --role … --ceiling …");
     }
@@ -303,7 +347,13 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
             }
         });
         let router = api::router(Arc::clone(&server));
-        runtime.block_on(listen::serve(listener, router, stop, CONNECTIONS));
+        match &tls {
+            None => runtime.block_on(listen::serve(listener, listen::Plain, router, stop, CONNECTIONS)),
+            Some(tls) => {
+                let door = Door::new(tls, Arc::clone(&server));
+                runtime.block_on(listen::serve(listener, door, router, stop, CONNECTIONS));
+            }
+        }
         server.live.call();
         // Ends the connections.
         runtime.shutdown_timeout(Duration::from_secs(1));

@@ -73,7 +73,7 @@ pub fn run(args: &View, stop: &AtomicBool) -> Result<u8> {
     };
     say("Ctrl-C ends it");
     let router = server::router(Arc::new(Site { subject, worker }), token);
-    runtime.block_on(listen::serve(listener, router, stop, listen::CONNECTIONS));
+    runtime.block_on(listen::serve(listener, listen::Plain, router, stop, listen::CONNECTIONS));
     drop(opened);
     // Ends the connections, and with the last of them the thread that draws.
     drop(runtime);

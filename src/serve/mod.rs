@@ -19,6 +19,7 @@ pub mod session;
 pub mod submission;
 #[cfg(test)]
 mod tests;
+pub mod tls;
 pub mod viewers;
 
 use std::sync::Arc;
@@ -89,6 +90,8 @@ pub struct Server {
     pub names: Vec<String>,
     /// Cookies travel under TLS alone.
     pub encrypted: bool,
+    /// It is this server itself that speaks it.
+    pub tls: bool,
     pub clock: Clock,
     pub counts: api::metrics::Counts,
     /// Submissions being taken in, downloads and streams of events under way, verifications.

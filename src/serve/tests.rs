@@ -94,6 +94,7 @@ impl Fixture {
             has_key: false,
             names: vec!["orb.example".into()],
             encrypted: false,
+            tls: false,
             clock: now,
             counts: Default::default(),
             uploads: places(4),

@@ -27,8 +27,34 @@ const LOOK: Duration = Duration::from_millis(200);
 /// Bytes of a request's head, and of an answer on its way.
 const BUFFER: usize = 16 << 10;
 
+/// How a connection that came in becomes one that speaks HTTP.
+pub trait Entrance: Clone + Send + Sync + 'static {
+    type Stream: AsyncRead + AsyncWrite + Unpin + Send;
+
+    /// `None` for one that is not let in. It counts as a connection meanwhile, and must end by itself.
+    fn enter(&self, stream: Patient) -> impl Future<Output = Option<Self::Stream>> + Send;
+}
+
+/// HTTP as it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Plain;
+
+impl Entrance for Plain {
+    type Stream = Patient;
+
+    async fn enter(&self, stream: Patient) -> Option<Patient> {
+        Some(stream)
+    }
+}
+
 /// Answers at most `connections` at once, until `stop` is set.
-pub async fn serve(listener: TcpListener, router: Router, stop: &AtomicBool, connections: usize) {
+pub async fn serve(
+    listener: TcpListener,
+    entrance: impl Entrance,
+    router: Router,
+    stop: &AtomicBool,
+    connections: usize,
+) {
     let places = Arc::new(Semaphore::new(connections));
     while !stop.load(Ordering::Relaxed) {
         let Ok(place) = timeout(LOOK, Arc::clone(&places).acquire_owned()).await else { continue };
@@ -42,19 +68,21 @@ pub async fn serve(listener: TcpListener, router: Router, stop: &AtomicBool, con
             Err(_) => continue,
         };
         let service = TowerToHyperService::new(router.clone());
+        let entrance = entrance.clone();
         tokio::spawn(async move {
             let _ = stream.set_nodelay(true);
+            let Some(stream) = entrance.enter(Patient::new(stream)).await else { return drop(place) };
             let mut http = http1::Builder::new();
             http.timer(TokioTimer::new()).header_read_timeout(HEAD).max_buf_size(BUFFER).max_headers(64);
             // Who breaks the connection off has no use for an error.
-            let _ = http.serve_connection(TokioIo::new(Patient::new(stream)), service).await;
+            let _ = http.serve_connection(TokioIo::new(stream), service).await;
             drop(place);
         });
     }
 }
 
 /// A stream whose other end must take what is written, sooner or later.
-struct Patient {
+pub struct Patient {
     stream: TcpStream,
     waiting: Option<Pin<Box<Sleep>>>,
 }
@@ -62,6 +90,14 @@ struct Patient {
 impl Patient {
     fn new(stream: TcpStream) -> Patient {
         Patient { stream, waiting: None }
+    }
+
+    /// What has come, left where it is.
+    ///
+    /// # Errors
+    /// As [`TcpStream::peek`].
+    pub async fn peek(&self, bytes: &mut [u8]) -> io::Result<usize> {
+        self.stream.peek(bytes).await
     }
 
     /// An error once nothing was taken for too long.

@@ -18,15 +18,23 @@ use crate::{Error, Result};
 
 pub(super) const PRIVATE_LABEL: &str = "PRIVATE KEY";
 
-/// The first line of a file that only its owner can read.
+/// The bytes of a file that only its owner can read, 64 KiB at most.
 ///
 /// # Errors
 /// [`crate::Kind::Policy`], `KEY_PERMISSIONS`; [`crate::Kind::Environment`] when it cannot be read;
-/// [`crate::Kind::Usage`] when it is no text.
-pub fn passphrase_file(path: &Path) -> Result<Zeroizing<String>> {
+/// [`crate::Kind::Usage`] when it is too large.
+pub fn private_file(path: &Path) -> Result<Zeroizing<Vec<u8>>> {
     let metadata = fs::metadata(path).map_err(|e| Error::io(path, &e))?;
     check_private(path, &metadata)?;
-    let bytes = Zeroizing::new(disk::read_limited(path, pem::MAX_BYTES)?);
+    Ok(Zeroizing::new(disk::read_limited(path, pem::MAX_BYTES)?))
+}
+
+/// The first line of a file that only its owner can read.
+///
+/// # Errors
+/// As [`private_file`]; [`crate::Kind::Usage`] when it is no text.
+pub fn passphrase_file(path: &Path) -> Result<Zeroizing<String>> {
+    let bytes = private_file(path)?;
     let text = std::str::from_utf8(&bytes).map_err(|_| Error::usage(path.display().to_string()).expected("text"))?;
     Ok(Zeroizing::new(text.lines().next().unwrap_or_default().to_owned()))
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use axum::body::{Body, HttpBody as _, to_bytes};
 use axum::extract::{Request, State};
-use axum::http::{HeaderMap, Method, StatusCode};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse as _, Response};
 use tokio::time::timeout;
@@ -18,7 +18,13 @@ use crate::web::guard::{MOST_ADDRESS, harden, is_own_name};
 const BODY: usize = 16 << 10;
 const BODY_WITHIN: Duration = Duration::from_secs(10);
 
+/// A year of TLS alone, for the name that was asked by.
+const TLS_ALONE: HeaderValue = HeaderValue::from_static("max-age=31536000");
+
 pub async fn guard(State(server): State<Arc<Server>>, request: Request, next: Next) -> Response {
+    let host = request.headers().get(header::HOST).and_then(|h| h.to_str().ok()).unwrap_or_default();
+    // Of `localhost` a browser would believe it for every other program's port too; of addresses it does not (RFC 6797 §8.1.1).
+    let says_tls = server.tls && !host.split(':').next().is_some_and(|name| name.eq_ignore_ascii_case("localhost"));
     let mut answer = match check(&server, &request) {
         Err(refusal) => refusal.into_response(),
         Ok(()) => match whole(request).await {
@@ -28,6 +34,9 @@ pub async fn guard(State(server): State<Arc<Server>>, request: Request, next: Ne
     };
     server.counts.answered(answer.status());
     harden(answer.headers_mut());
+    if says_tls {
+        answer.headers_mut().insert(header::STRICT_TRANSPORT_SECURITY, TLS_ALONE);
+    }
     answer
 }
 

@@ -1,0 +1,318 @@
+//! `orb serve --tls-cert`: handshakes by rustls and by OpenSSL, with and without certificates of clients; what is wrong with
+//! the files; who dawdles. Without openssl on the PATH that part says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
+#![cfg(feature = "serve")]
+
+mod served;
+
+use std::io::{self, Read as _, Write as _};
+use std::net::TcpStream;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use rustls::pki_types::pem::PemObject as _;
+use rustls::pki_types::{CertificateDer, PrivateKeyDer, ServerName};
+use rustls::version::{TLS12, TLS13};
+use rustls::{ClientConfig, ClientConnection, RootCertStore, StreamOwned, SupportedProtocolVersion};
+use served::{Served, account, orb};
+
+/// Of `tests/data/tls`, in a folder where keys have the mode that they must have.
+struct Certificates(tempfile::TempDir);
+
+impl Certificates {
+    fn new() -> Certificates {
+        let folder = tempfile::tempdir().unwrap();
+        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tls");
+        for entry in std::fs::read_dir(from).unwrap() {
+            let path = entry.unwrap().path();
+            let to = folder.path().join(path.file_name().unwrap());
+            std::fs::copy(&path, &to).unwrap();
+            set_mode(&to, 0o600);
+        }
+        Certificates(folder)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn text(&self, name: &str) -> String {
+        self.path(name).display().to_string()
+    }
+
+    fn data(&self) -> PathBuf {
+        self.path("data")
+    }
+
+    fn serve(&self, options: &[&str]) -> Served {
+        let (certificate, key) = (self.text("server.pem"), self.text("server.key"));
+        let all = [&["--tls-cert", &certificate, "--tls-key", &key, "--name", "orb.example"], options].concat();
+        Served::start_with(&self.data(), "127.0.0.1:0", &all)
+    }
+
+    fn client(
+        &self,
+        authority: &str,
+        own: Option<&str>,
+        version: &'static SupportedProtocolVersion,
+    ) -> Arc<ClientConfig> {
+        let mut roots = RootCertStore::empty();
+        roots.add(CertificateDer::from_pem_file(self.path(&format!("{authority}.pem"))).unwrap()).unwrap();
+        let config = ClientConfig::builder_with_provider(Arc::new(rustls::crypto::aws_lc_rs::default_provider()))
+            .with_protocol_versions(&[version])
+            .unwrap()
+            .with_root_certificates(roots);
+        Arc::new(match own {
+            None => config.with_no_client_auth(),
+            Some(own) => {
+                let chain = vec![CertificateDer::from_pem_file(self.path(&format!("{own}.pem"))).unwrap()];
+                let key = PrivateKeyDer::from_pem_file(self.path(&format!("{own}.key"))).unwrap();
+                config.with_client_auth_cert(chain, key).unwrap()
+            }
+        })
+    }
+}
+
+#[cfg(unix)]
+fn set_mode(path: &Path, mode: u32) {
+    use std::os::unix::fs::PermissionsExt as _;
+    std::fs::set_permissions(path, std::fs::Permissions::from_mode(mode)).unwrap();
+}
+
+#[cfg(not(unix))]
+fn set_mode(_: &Path, _: u32) {}
+
+/// One request by HTTP 1.0 under TLS; the whole answer.
+fn ask(served: &Served, config: &Arc<ClientConfig>, request: &str) -> io::Result<String> {
+    let name = ServerName::try_from("orb.example").unwrap();
+    let connection = ClientConnection::new(Arc::clone(config), name).unwrap();
+    let stream = TcpStream::connect(&served.host)?;
+    stream.set_read_timeout(Some(Duration::from_secs(30)))?;
+    let mut stream = StreamOwned::new(connection, stream);
+    stream.write_all(request.as_bytes())?;
+    let mut answer = Vec::new();
+    match stream.read_to_end(&mut answer) {
+        Err(e) if answer.is_empty() || e.kind() != io::ErrorKind::UnexpectedEof => Err(e),
+        _ => Ok(String::from_utf8_lossy(&answer).into_owned()),
+    }
+}
+
+fn get(path: &str, host: &str) -> String {
+    format!("GET {path} HTTP/1.0\r\nHost: {host}\r\n\r\n")
+}
+
+#[test]
+fn what_is_asked_under_tls_is_answered_under_tls() {
+    let certificates = Certificates::new();
+    let token = account(&certificates.data(), "jane", "operator");
+    let mut served = certificates.serve(&[]);
+    for version in [&TLS12, &TLS13] {
+        let client = certificates.client("authority", None, version);
+        let answer = ask(&served, &client, &get("/health", "orb.example")).unwrap();
+        assert!(answer.starts_with("HTTP/1.0 200") && answer.ends_with("\r\n\r\nok\n"), "{answer}");
+        assert!(answer.contains("\r\nstrict-transport-security: max-age=31536000\r\n"), "{answer}");
+        // Somebody else's authority: the client goes no further.
+        let stranger = certificates.client("other", None, version);
+        let refused = ask(&served, &stranger, &get("/health", "orb.example")).unwrap_err();
+        assert!(refused.to_string().contains("UnknownIssuer"), "{refused}");
+    }
+    let client = certificates.client("authority", None, &TLS13);
+    let of_this_machine = ask(&served, &client, &get("/health", "localhost:1")).unwrap();
+    assert!(of_this_machine.contains(" 200 ") && !of_this_machine.contains("strict-transport"), "{of_this_machine}");
+    let body = format!("{{\"token\":\"{token}\"}}");
+    let signed_in = ask(
+        &served,
+        &client,
+        &format!(
+            "POST /api/v1/session HTTP/1.0\r\nHost: orb.example\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n{body}",
+            body.len()
+        ),
+    )
+    .unwrap();
+    let cookie = signed_in.lines().find(|l| l.starts_with("set-cookie: ")).unwrap();
+    assert!(cookie.starts_with("set-cookie: __Host-orb_session=") && cookie.ends_with("; Secure"), "{cookie}");
+    // Who does not speak TLS is told so, and nothing else.
+    let (head, body) = served.send(get("/health", "localhost").as_bytes());
+    assert!(head.starts_with("HTTP/1.0 400 ") && body.starts_with(b"this port speaks TLS"), "{head}");
+    let events = stop(&mut served, &certificates);
+    let sha256 = hex::encode(<sha2::Sha256 as sha2::Digest>::digest(
+        CertificateDer::from_pem_file(certificates.path("server.pem")).unwrap(),
+    ));
+    let start = events.lines().find(|l| l.contains("serve.start") && l.contains(" success ")).unwrap();
+    // The list shows the beginning of long values.
+    for part in ["tls=on", &format!("certificate_sha256={}", &sha256[..16]), "client_certificates=not asked for"] {
+        assert!(start.contains(part), "{part} in {start}");
+    }
+}
+
+/// Ends a server in order; its ledger.
+#[cfg(unix)]
+fn stop(served: &mut Served, certificates: &Certificates) -> String {
+    assert!(Command::new("kill").args(["-INT", &served.child.id().to_string()]).status().unwrap().success());
+    assert!(served.child.wait().unwrap().success());
+    let events = orb(&certificates.data()).args(["audit", "events"]).output().unwrap();
+    String::from_utf8(events.stdout).unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn who_has_no_certificate_of_the_authority_gets_nowhere() {
+    let certificates = Certificates::new();
+    let token = account(&certificates.data(), "jane", "operator");
+    let authority = certificates.text("authority.pem");
+    let mut served = certificates.serve(&["--client-ca", &authority]);
+    let list = |token: &str| {
+        get("/api/v1/jobs", "orb.example").replace("\r\n\r\n", &format!("\r\nAuthorization: Bearer {token}\r\n\r\n"))
+    };
+    for version in [&TLS12, &TLS13] {
+        let client = |own| certificates.client("authority", own, version);
+        let answer = ask(&served, &client(Some("client")), &list(&token)).unwrap();
+        assert!(answer.starts_with("HTTP/1.0 200"), "{answer}");
+        // It admits, and is nobody's name.
+        let answer = ask(&served, &client(Some("client")), &list("orb_jane_x")).unwrap();
+        assert!(answer.starts_with("HTTP/1.0 401"), "{answer}");
+        for own in [None, Some("client-over"), Some("client-of-other"), Some("server")] {
+            let answer = ask(&served, &client(own), &list(&token));
+            assert!(answer.is_err(), "{own:?}: {answer:?}");
+        }
+    }
+    let events = stop(&mut served, &certificates);
+    let refused = events.lines().find(|l| l.contains("CLIENT_CERTIFICATE")).unwrap();
+    assert!(refused.contains("access.refused") && refused.contains("times=8"), "{refused}");
+    assert!(
+        events.lines().any(|l| l.contains("serve.start") && l.contains("client_certificates=required")),
+        "{events}"
+    );
+}
+
+#[test]
+fn openssl_shakes_hands() {
+    let required = std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1");
+    if Command::new("openssl").arg("version").output().is_err() {
+        assert!(!required, "openssl is not on the PATH");
+        eprintln!("skipped: openssl is not on the PATH");
+        return;
+    }
+    let certificates = Certificates::new();
+    account(&certificates.data(), "jane", "operator");
+    let authority = certificates.text("authority.pem");
+    let served = certificates.serve(&["--client-ca", &authority]);
+    let shake = |options: &[&str]| {
+        let mut child = Command::new("openssl")
+            .args(["s_client", "-quiet", "-connect", &served.host, "-CAfile", &authority])
+            .args(["-verify_return_error", "-verify_hostname", "orb.example", "-servername", "orb.example"])
+            .args(options)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut input = child.stdin.take().unwrap();
+        let _ = input.write_all(get("/health", "orb.example").as_bytes());
+        let done = child.wait_with_output().unwrap();
+        drop(input);
+        (String::from_utf8_lossy(&done.stdout).into_owned(), String::from_utf8_lossy(&done.stderr).into_owned())
+    };
+    let (own, key) = (certificates.text("client.pem"), certificates.text("client.key"));
+    let own = ["-cert", own.as_str(), "-key", key.as_str()];
+    for version in ["-tls1_2", "-tls1_3"] {
+        let (answer, words) = shake(&[&own[..], &[version]].concat());
+        assert!(answer.starts_with("HTTP/1.0 200"), "{version}: {answer}{words}");
+        let (answer, words) = shake(&[version]);
+        assert!(answer.is_empty() && words.contains("alert"), "{version} without a certificate: {answer}{words}");
+    }
+    // The security level is OpenSSL's own bar, which is to be out of the way of ours.
+    let (answer, words) = shake(&[&own[..], &["-tls1_1", "-cipher", "DEFAULT@SECLEVEL=0"]].concat());
+    assert!(answer.is_empty() && words.contains("alert"), "{answer}{words}");
+}
+
+#[test]
+fn what_is_wrong_with_the_files_is_said() {
+    let certificates = Certificates::new();
+    std::fs::write(
+        certificates.path("sealed.key"),
+        "-----BEGIN ENCRYPTED PRIVATE KEY-----\nMA==\n-----END ENCRYPTED PRIVATE KEY-----\n",
+    )
+    .unwrap();
+    std::fs::write(certificates.path("text.pem"), "no certificate\n").unwrap();
+    std::fs::write(certificates.path("damaged.pem"), "-----BEGIN CERTIFICATE-----\nMAA=\n-----END CERTIFICATE-----\n")
+        .unwrap();
+    set_mode(&certificates.path("sealed.key"), 0o600);
+    std::fs::copy(certificates.path("server.key"), certificates.path("open.key")).unwrap();
+    set_mode(&certificates.path("open.key"), 0o644);
+    let start = |certificate: &str, key: &str, authority: Option<&str>| {
+        let mut command = orb(&certificates.data());
+        command.args(["serve", "--bind", "127.0.0.1:0", "--max-marking", "UNCLASSIFIED"]);
+        command.arg("--tls-cert").arg(certificates.path(certificate)).arg("--tls-key").arg(certificates.path(key));
+        if let Some(authority) = authority {
+            command.arg("--client-ca").arg(certificates.path(authority));
+        }
+        let out = command.output().unwrap();
+        (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    for (certificate, key, authority, code, words) in [
+        ("server-over.pem", "server-over.key", None, 2, "2020-01-02"),
+        ("server.pem", "client.key", None, 2, "another certificate's key"),
+        ("client.pem", "client.key", None, 2, "serverAuth"),
+        ("server.pem", "sealed.key", None, 2, "passphrase"),
+        ("server.pem", "server.pem", None, 2, "private key"),
+        ("server.pem", "open.key", None, 4, "KEY_PERMISSIONS: mode 0644"),
+        ("server.pem", "absent.key", None, 5, "absent.key"),
+        ("absent.pem", "server.key", None, 5, "absent.pem"),
+        ("server.key", "server.key", None, 2, "no PEM block of type CERTIFICATE"),
+        ("text.pem", "server.key", None, 2, "no PEM block of type CERTIFICATE"),
+        ("damaged.pem", "server.key", None, 2, "damaged"),
+        ("server.pem", "server.key", Some("client.pem"), 2, "basicConstraints"),
+        ("server.pem", "server.key", Some("text.pem"), 2, "no PEM block of type CERTIFICATE"),
+    ] {
+        if code == 4 && cfg!(not(unix)) {
+            continue;
+        }
+        let found = start(certificate, key, authority);
+        assert!(found.0 == Some(code) && found.1.contains(words), "{certificate} {key} {authority:?}: {found:?}");
+    }
+    let alone = orb(&certificates.data())
+        .args(["serve", "--max-marking", "UNCLASSIFIED", "--tls-cert"])
+        .arg(certificates.path("server.pem"))
+        .output()
+        .unwrap();
+    assert_eq!(alone.status.code(), Some(2), "--tls-key is missing");
+    // Beyond this machine, under TLS, without another word.
+    let (certificate, key) = (certificates.text("server.pem"), certificates.text("server.key"));
+    let served =
+        Served::start_with(&certificates.data(), "0.0.0.0:0", &["--tls-cert", &certificate, "--tls-key", &key]);
+    drop(served);
+}
+
+/// Half a handshake, none at all, nonsense: they end, and while all places are theirs others wait no longer than that.
+#[test]
+fn slow_handshakes_end() {
+    let certificates = Certificates::new();
+    account(&certificates.data(), "jane", "operator");
+    let served = certificates.serve(&[]);
+    let client = certificates.client("authority", None, &TLS13);
+    let half = |bytes: &[u8]| {
+        let mut stream = TcpStream::connect(&served.host).unwrap();
+        stream.write_all(bytes).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(40))).unwrap();
+        stream
+    };
+    let begin = Instant::now();
+    let mut slow = vec![half(b""), half(b"\x16"), half(b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03")];
+    assert!(ask(&served, &client, &get("/health", "orb.example")).unwrap().contains(" 200 "));
+    assert!(begin.elapsed() < Duration::from_secs(5), "nobody is held up: {:?}", begin.elapsed());
+    // As many as there are places.
+    slow.extend((slow.len()..512).map(|_| half(b"\x16\x03\x01")));
+    assert!(ask(&served, &client, &get("/health", "orb.example")).unwrap().contains(" 200 "));
+    let waited = begin.elapsed();
+    assert!(waited > Duration::from_secs(8) && waited < Duration::from_secs(30), "until a place was free: {waited:?}");
+    for mut stream in slow {
+        let ended = stream.read_to_end(&mut Vec::new());
+        assert!(ended.is_ok() || ended.is_err_and(|e| e.kind() == io::ErrorKind::ConnectionReset), "it is let go");
+    }
+    let mut nonsense = half(&[0x16, 3, 1, 0, 4, 255, 255, 255, 255]);
+    let began = Instant::now();
+    let _ = nonsense.read_to_end(&mut Vec::new());
+    assert!(began.elapsed() < Duration::from_secs(5), "nonsense is no handshake");
+}
