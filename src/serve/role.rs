@@ -55,6 +55,11 @@ impl Role {
         }
     }
 
+    /// Who watches over others does not do what he watches over.
+    pub fn stands_alone(self) -> bool {
+        matches!(self, Role::Admin | Role::Auditor)
+    }
+
     pub fn name(self) -> String {
         self.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
     }
@@ -83,11 +88,9 @@ impl Roles {
 impl TryFrom<Vec<Role>> for Roles {
     type Error = Error;
 
-    /// Who watches over others does not do what he watches over.
     fn try_from(roles: Vec<Role>) -> Result<Roles> {
         let roles: BTreeSet<Role> = roles.into_iter().collect();
-        let alone = |role| roles.contains(&role) && roles.len() > 1;
-        if roles.is_empty() || alone(Role::Admin) || alone(Role::Auditor) {
+        if roles.is_empty() || roles.len() > 1 && roles.iter().any(|r| r.stands_alone()) {
             return Err(Error::usage("role")
                 .expected("at least one role, and admin or auditor alone")
                 .found(roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(",")));

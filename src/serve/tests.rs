@@ -492,12 +492,13 @@ fn markings_and_ceilings() {
         let new = json!({"name": "new", "roles": roles, "ceiling": ceiling});
         fixture.ask("POST", "/api/v1/accounts", &admin, Some(new)).status.as_u16()
     };
-    assert_eq!(add("TOP SECRET", json!(["viewer"])), 422);
+    assert_eq!(add("TOP SECRET", json!(["viewer"])), 403);
+    assert_eq!(add("", json!(["viewer"])), 403);
     assert_eq!(add("CUI", json!(["viewer", "admin"])), 422);
     assert_eq!(add("CUI", json!(["root"])), 422);
     assert_eq!(add("CUI", json!([])), 422);
     assert_eq!(add("CUI", json!(["viewer"])), 201);
-    assert_eq!(add("CUI", json!(["viewer"])), 422, "taken");
+    assert_eq!(add("CUI", json!(["viewer"])), 409, "taken");
     let all = fixture.get("/api/v1/accounts", &admin);
     assert!(all.json()["accounts"].as_array().unwrap().len() == 5 && !all.text().contains("sha256"));
 }

@@ -7,8 +7,11 @@ use axum::extract::rejection::JsonRejection;
 use axum::extract::{Path, State};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse as _, Response};
-use serde::{Deserialize, Serialize};
+use clap::ValueEnum as _;
+use serde::{Deserialize, Deserializer, Serialize};
 use utoipa::ToSchema;
+use utoipa::openapi::RefOr;
+use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, OneOfBuilder, Schema, Type};
 
 use super::{Answer, Caller, Refused, blocking, given};
 use crate::audit::Marking;
@@ -30,13 +33,34 @@ pub struct NewAccount {
     #[schema(pattern = "^[a-z][a-z0-9-]{0,31}$")]
     name: String,
     /// Admin and auditor stand alone.
-    #[schema(min_items = 1)]
+    #[schema(schema_with = roles_schema)]
     roles: Vec<Role>,
     /// Highest marking that it takes part in, the server's at most.
+    #[schema(example = "UNCLASSIFIED", pattern = "^[A-Z][A-Z0-9 ,/-]{0,199}$")]
     ceiling: String,
     /// That its token is good for.
+    #[serde(default, deserialize_with = "whole")]
     #[schema(minimum = 1, maximum = 3650)]
     days: Option<u32>,
+}
+
+/// JSON Schema knows no difference between 30 and 30.0.
+fn whole<'de, D: Deserializer<'de>>(from: D) -> Result<Option<u32>, D::Error> {
+    let Some(number) = Option::<f64>::deserialize(from)? else { return Ok(None) };
+    match number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number) {
+        true => Ok(Some(number as u32)),
+        false => Err(serde::de::Error::custom(format!("days: expected a whole number, found {number}"))),
+    }
+}
+
+/// As [`crate::serve::role::Roles`] takes them: those that stand alone, or any of the others.
+fn roles_schema() -> RefOr<Schema> {
+    let of = |roles: Vec<Role>, most: Option<usize>| {
+        let one = ObjectBuilder::new().schema_type(Type::String).enum_values(Some(roles.into_iter().map(Role::name)));
+        ArrayBuilder::new().items(one).min_items(Some(1)).max_items(most)
+    };
+    let (alone, others) = Role::value_variants().iter().copied().partition(|r: &Role| r.stands_alone());
+    OneOfBuilder::new().item(of(alone, Some(1))).item(of(others, None)).into()
 }
 
 /// Shown this once.
@@ -92,9 +116,13 @@ pub async fn add(
     let new = given(body)?;
     let days = days(new.days)?;
     by(server, caller, move |server, by, _| {
-        let ceiling = Marking::parse(&new.ceiling).map_err(|e| Refusal::unusable(e.to_string()))?;
+        let ceiling = Marking::parse(&new.ceiling)?;
         if !server.ceiling.covers(&ceiling) {
-            return Err(Refusal::unusable(format!("ceiling: expected at most the server's, {}", server.ceiling)));
+            let words = format!("ceiling: expected at most the server's, {}", server.ceiling);
+            return Err(Refusal::new(StatusCode::FORBIDDEN, "ABOVE_SERVER_CEILING", words));
+        }
+        if server.database.account(&new.name)?.is_some() {
+            return Err(Refusal::conflict("name: an account has it"));
         }
         let token = by.add(&new.name, new.roles.try_into()?, ceiling, days)?;
         Ok((StatusCode::CREATED, Json(Token { account: new.name, token: token.to_string() })).into_response())

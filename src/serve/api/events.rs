@@ -16,12 +16,15 @@ use crate::serve::refusal::Refusal;
 use crate::serve::role::Right;
 
 const MOST: u32 = 1000;
+/// Largest whole number that every reader of JSON has (RFC 8259 §6).
+const LAST: u64 = (1 << 53) - 1;
 
 #[derive(Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub struct Wanted {
     /// Only records with this number and later ones.
+    #[param(minimum = 0, maximum = 9007199254740991_i64)]
     from: Option<u64>,
     #[param(minimum = 1, maximum = 1000, default = 1000)]
     limit: Option<u32>,
@@ -61,6 +64,9 @@ pub async fn list(
     let limit = wanted.limit.unwrap_or(MOST);
     if !(1..=MOST).contains(&limit) {
         return Err(Refusal::unusable(format!("limit: expected 1 to {MOST}, found {limit}")));
+    }
+    if let Some(from) = wanted.from.filter(|from| *from > LAST) {
+        return Err(Refusal::unusable(format!("from: expected at most {LAST}, found {from}")));
     }
     let busy = |_| Refusal::busy("the ledger is being read");
     let place = Arc::clone(&server.checks).try_acquire_owned().map_err(busy)?;

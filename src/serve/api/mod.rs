@@ -77,15 +77,45 @@ enum Refused {
     /// Not in this state
     #[response(status = 409)]
     Conflict(Refusal),
+    /// The request did not come in time
+    #[response(status = 408)]
+    TooSlow(Refusal),
     /// Over a limit
     #[response(status = 413)]
     TooLarge(Refusal),
+    /// An address of more than 1,024 bytes
+    #[response(status = 414)]
+    AddressTooLong(Refusal),
+    /// By a name that is not this server's
+    #[response(status = 421)]
+    NotMyName(Refusal),
     /// Not what is expected
     #[response(status = 422)]
     Unusable(Refusal),
     /// Later
     #[response(status = 503)]
     Busy(Refusal),
+}
+
+/// What the guard may answer where no account is asked for.
+#[derive(IntoResponses)]
+#[allow(dead_code, reason = "read by the document alone")]
+enum Guarded {
+    /// From another server's page
+    #[response(status = 403)]
+    Elsewhere(Refusal),
+    /// The request did not come in time
+    #[response(status = 408)]
+    TooSlow(Refusal),
+    /// Over a limit
+    #[response(status = 413)]
+    TooLarge(Refusal),
+    /// An address of more than 1,024 bytes
+    #[response(status = 414)]
+    AddressTooLong(Refusal),
+    /// By a name that is not this server's
+    #[response(status = 421)]
+    NotMyName(Refusal),
 }
 
 /// Every route of the interface, with its part of the document.
@@ -138,7 +168,8 @@ pub fn router(server: Arc<Server>) -> Router {
 }
 
 /// Whether the server answers, and nothing else
-#[utoipa::path(get, path = "/health", tag = "server", responses((status = 200, body = String, content_type = "text/plain")))]
+#[utoipa::path(get, path = "/health", tag = "server", security(()),
+    responses((status = 200, body = String, content_type = "text/plain"), Guarded))]
 async fn health() -> Response {
     (StatusCode::OK, "ok\n").into_response()
 }

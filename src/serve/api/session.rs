@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::caller::by_token;
-use super::{Answer, Caller, Refused, blocking, given};
+use super::{Answer, Caller, Guarded, Refused, blocking, given};
 use crate::serve::Server;
 use crate::serve::refusal::Refusal;
 use crate::serve::role::Role;
@@ -57,9 +57,8 @@ impl Session {
 }
 
 /// Sign in: a session in a cookie
-#[utoipa::path(post, path = "/api/v1/session", tag = "session", security(()), responses(
-    (status = 200, body = Session), (status = 401, body = Refusal), (status = 403, body = Refusal),
-    (status = 413, body = Refusal), (status = 422, body = Refusal)
+#[utoipa::path(post, path = "/api/v1/session", tag = "session", security(()), request_body = SignIn, responses(
+    (status = 200, body = Session), (status = 401, body = Refusal), (status = 422, body = Refusal), Guarded
 ))]
 pub async fn begin(State(server): State<Arc<Server>>, body: Result<Json<SignIn>, JsonRejection>) -> Answer<Response> {
     let SignIn { token } = given(body)?;

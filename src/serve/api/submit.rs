@@ -15,7 +15,7 @@ use image::{ImageFormat, ImageReader};
 use tokio::io::AsyncWriteExt as _;
 use tokio::time::timeout;
 use utoipa::openapi::RefOr;
-use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, Type};
+use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, SchemaType, Type};
 use utoipa::{PartialSchema, ToSchema};
 
 use super::jobs::{InFull, told};
@@ -49,10 +49,28 @@ impl PartialSchema for Form {
             let file = ObjectBuilder::new().schema_type(Type::String).format(Some(file));
             let photo = file.description(Some("JPEG, PNG, WebP or TIFF.")).build();
             object.properties.remove("photos");
+            // A form leaves out what it does not say: there is no null in it.
+            object.properties.values_mut().for_each(without_null);
             object.properties.insert("photo".into(), photo.into());
             object.required.push("photo".into());
         }
         schema
+    }
+}
+
+fn without_null(schema: &mut RefOr<Schema>) {
+    match schema {
+        RefOr::T(Schema::Object(object)) => {
+            if let SchemaType::Array(types) = &mut object.schema_type {
+                types.retain(|t| *t != Type::Null);
+            }
+        }
+        RefOr::T(Schema::OneOf(one)) => {
+            let is_null =
+                |s: &RefOr<Schema>| matches!(s, RefOr::T(Schema::Object(o)) if o.schema_type == Type::Null.into());
+            one.items.retain(|item| !is_null(item));
+        }
+        _ => {}
     }
 }
 
@@ -65,7 +83,8 @@ impl ToSchema for Form {
 /// Submit a photo
 #[utoipa::path(post, path = PATH, tag = "jobs", security(("token" = []), ("session" = [])),
     request_body(content = Form, content_type = "multipart/form-data"),
-    responses((status = 201, body = InFull), (status = 408, body = Refusal), (status = 507, body = Refusal), Refused))]
+    responses((status = 201, body = InFull, headers(("location" = String, description = "The job's address"))),
+        (status = 507, body = Refusal), Refused))]
 pub async fn submit(
     State(server): State<Arc<Server>>,
     caller: Caller,
