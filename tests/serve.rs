@@ -72,6 +72,25 @@ fn a_job_from_a_browser() {
     browser.value("(document.getElementById('verify').click(), '')");
     browser.until("document.getElementById('verdict').textContent.startsWith('Verification: pass')");
     browser.picture("serve-done");
+    // Where it stands: an arrow in the square of its geocell, and a way to it.
+    browser.until("document.querySelectorAll('#maps svg path').length === 1");
+    browser.until("document.querySelector('#maps h3').textContent === 'N34W119'");
+    let arrow = browser.value("document.querySelector('#maps path').getAttribute('transform')");
+    assert_eq!(arrow, "translate(43.58 44.77) rotate(90)");
+    browser.value(
+        "(document.querySelector('#maps li button').click(), document.getElementById('places').scrollIntoView(), '')",
+    );
+    browser.until("document.getElementById('job').dataset.state === 'done'");
+    browser.picture("serve-places");
+    // Several photos: no point on one of them, but poses and control points.
+    let plain = car().with_file_name("smart_car_plain.jpg");
+    browser.choose_all("#photo", &[&car(), &plain]);
+    browser.until("!document.getElementById('several').hidden && document.getElementById('pointing').hidden");
+    browser.until("document.getElementById('photos').textContent.startsWith('2 photos: smart_car.jpg')");
+    browser.value("(scrollTo(0, 0), '')");
+    browser.picture("serve-several");
+    browser.choose("#photo", &car());
+    browser.until("document.getElementById('several').hidden");
     // 200 % of a small window: nothing is cut off to the side, the banners stay.
     browser.size(640, 450, 2.0, false);
     browser.until("document.documentElement.scrollWidth <= innerWidth");

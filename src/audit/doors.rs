@@ -37,7 +37,7 @@ const DOORS: [&str; 24] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 32] = [
+const KEEPERS: [(&str, &str); 33] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -63,7 +63,8 @@ const KEEPERS: [(&str, &str); 32] = [
     ("src/models/registry/mod.rs", "imported networks, removed"),
     ("src/models/zero123/cache.rs", "views already made"),
     ("src/photos/sfm.rs", "COLMAP's work folder, its own and gone afterwards"),
-    ("src/serve/api/submit.rs", "the photo of a submission, in the server's own folder"),
+    ("src/serve/api/form.rs", "the files of a submission, in the server's own folder"),
+    ("src/serve/api/submit.rs", "the same, named"),
     ("src/serve/database/mod.rs", "the server's accounts and jobs"),
     ("src/serve/place.rs", "the server's own folder: photos come and go, what runs publish in it goes with its job"),
     ("src/splat/render/gpu/cache.rs", "compiled shaders"),

@@ -412,17 +412,28 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     Ok(0)
 }
 
-/// Judges a run by what can be known of it before it: its options, and the photo without its pixels. Returns what the
-/// product would be marked; networks and terrain may raise it.
+/// Judges a run by what can be known of it before it: its options, and the photo or photos without their pixels. Returns
+/// what the product would be marked; networks and terrain may raise it.
 ///
 /// # Errors
 /// What the run itself would begin with.
 #[cfg(feature = "serve")]
-pub(crate) fn judge(args: &GeoArgs, photo: &[u8], utc: &str) -> Result<crate::audit::Marking> {
+pub(crate) fn judge(args: &GeoArgs, utc: &str) -> Result<crate::audit::Marking> {
     let mut plan = plan(args)?;
-    let (exif, _) = crate::photo::metadata(&plan.stem, photo, &crate::photo::Limits::default())?;
+    if plan.photo.is_dir() {
+        let front = Front::open(&plan.photo, &args.photos)?;
+        args.networks.check_built_in()?;
+        if plan.wanted.origin.is_some() || !front.has_control() {
+            plan.wanted.check(front.exif())?;
+        }
+        return Ok(args.publish.marking.decide(front.carried(), utc)?.marking);
+    }
+    args.photos.check_unused()?;
+    let limits = crate::photo::Limits::default();
+    let photo = read_photo(&plan.photo, limits.file_bytes)?;
+    let (exif, _) = crate::photo::metadata(&plan.stem, &photo, &limits)?;
     plan.wanted.check(&exif)?;
-    let carried = super::marking::carried(&plan.stem, photo)?;
+    let carried = super::marking::carried(&plan.stem, &photo)?;
     Ok(args.publish.marking.decide(&[carried], utc)?.marking)
 }
 

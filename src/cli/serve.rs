@@ -76,6 +76,14 @@ pub struct ServeArgs {
     #[arg(long, value_name = "MB", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=256))]
     max_upload: u64,
 
+    /// Megabytes of all files of one submission.
+    #[arg(long, value_name = "MB", default_value_t = 512, value_parser = clap::value_parser!(u64).range(1..=65_536))]
+    max_submission: u64,
+
+    /// Photos of one submission.
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    max_photos: u64,
+
     /// Megapixels of one photo.
     #[arg(long, value_name = "MP", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..=1000))]
     max_pixels: u64,
@@ -294,6 +302,8 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
             queue: args.max_queue,
             queue_each: args.max_queue,
             upload: args.max_upload * 1_000_000,
+            submission: args.max_submission * 1_000_000,
+            photos: usize::try_from(args.max_photos).unwrap_or(usize::MAX),
             pixels: args.max_pixels * 1_000_000,
             stored: args.max_stored * 1_000_000_000,
             seconds: args.max_seconds,

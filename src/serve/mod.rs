@@ -44,8 +44,10 @@ pub struct Limits {
     pub queue: u64,
     /// Jobs of one account that wait or run.
     pub queue_each: u64,
-    /// Bytes of one submission.
+    /// Bytes of one photo.
     pub upload: u64,
+    /// Bytes of one submission.
+    pub submission: u64,
     /// Pixels of one photo.
     pub pixels: u64,
     /// Photos of one submission.
@@ -64,8 +66,9 @@ impl Default for Limits {
             queue: 1000,
             queue_each: 1000,
             upload: 64 << 20,
+            submission: 512 << 20,
             pixels: 100_000_000,
-            photos: 1,
+            photos: 100,
             stored: 20 << 30,
             attempts: 3,
             seconds: 3600,

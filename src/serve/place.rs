@@ -4,7 +4,7 @@
 //! DIR/serve/serve.sqlite       accounts and jobs
 //! DIR/serve/serve.lock         one server at a time
 //! DIR/serve/incoming/ID/       a submission that is being taken in
-//! DIR/serve/jobs/ID/in/        its photos
+//! DIR/serve/jobs/ID/in/        its photo; several in in/set/NAME/, with in/poses/ and in/gcp.csv
 //! DIR/serve/jobs/ID/run-N/out/ what its N-th run published: there whole or not at all
 //! ```
 
@@ -92,7 +92,9 @@ impl Place {
     pub fn accept(&self, id: &str) -> Result<()> {
         let (from, to) = (self.incoming(id), self.job(id));
         let disk = disk::Disk::default();
-        disk.sync_dir(&from.join("in"))?;
+        for folder in disk::walk(&from)?.into_iter().filter(|e| e.is_dir) {
+            disk.sync_dir(&folder.path)?;
+        }
         disk.sync_dir(&from)?;
         disk.rename(&from, &to)?;
         disk.sync_dir(&self.root.join("jobs"))

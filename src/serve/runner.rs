@@ -13,10 +13,11 @@ use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use super::database::{Ended, Job, State};
+use super::database::{Ended, Job, Stands, State};
 use super::live::Progress;
 use super::place::{self, run_name};
 use super::{Server, lock};
+use crate::audit::statement::{Param, Statement};
 use crate::audit::verify;
 use crate::{Error, Result};
 
@@ -62,7 +63,7 @@ enum BrokenOff {
 pub fn recover(server: &Server) -> Result<()> {
     for job in server.database.running()? {
         let now = server.now();
-        if let Some(ended) = published(server, &job) {
+        if let Some(ended) = published(server, &job)? {
             server.database.end(&job.id, &ended, now)?;
             continue;
         }
@@ -89,13 +90,25 @@ fn settle_unfinished(server: &Server, job: &Job, why: &str, uncounted: bool) -> 
     }
 }
 
-/// What a run published, as the job's end. The record is read, not verified: that is asked for.
-fn published(server: &Server, job: &Job) -> Option<Ended> {
+/// What a run published, as the job's end; where it stands is noted before. The record is read, not verified: that is
+/// asked for.
+fn published(server: &Server, job: &Job) -> Result<Option<Ended>> {
     let folder = server.place.published(&job.id, job.attempt);
-    let (_, statement) = verify::read_record(&folder).ok()?;
+    let Ok((_, statement)) = verify::read_record(&folder) else { return Ok(None) };
     let marking = statement.marking().map(|m| m.banner());
     let bytes = place::size(&server.place.job(&job.id));
-    Some(Ended { state: State::Done, exit_code: Some(0), error: None, result: None, marking, bytes })
+    if let Some(stands) = stands(&statement) {
+        server.database.set_place(&job.id, stands)?;
+    }
+    Ok(Some(Ended { state: State::Done, exit_code: Some(0), error: None, result: None, marking, bytes }))
+}
+
+fn stands(statement: &Statement) -> Option<Stands> {
+    let number = |name: &str| match statement.predicate.params.get(name)? {
+        Param::Text(text) => text.parse().ok().filter(|v: &f64| v.is_finite()),
+        _ => None,
+    };
+    Some(Stands { latitude: number("latitude")?, longitude: number("longitude")?, heading: number("heading_deg")? })
 }
 
 impl Runner {
@@ -270,7 +283,7 @@ fn read_result(child: &mut Child) -> Option<JoinHandle<Option<serde_json::Value>
 fn settle(server: &Server, job: &Job, finished: Finished) -> Result<()> {
     let Finished { status, lines, mut result, broken_off } = finished;
     // However it ended: what stands there was recorded and published.
-    if let Some(mut ended) = published(server, job) {
+    if let Some(mut ended) = published(server, job)? {
         // Where on this machine is nobody's business.
         if let Some(object) = result.as_mut().and_then(|r| r.as_object_mut()) {
             object.remove("folder");

@@ -115,10 +115,27 @@ pub struct Submission {
     pub cui_dissemination: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cui_poc: Option<String>,
-    /// Made by the server: file names in the job's folder `in`.
+    /// Made by the server, as the next two: the photos' file names.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schema(read_only)]
     pub photos: Vec<String>,
+    /// The files that say where several photos were taken from.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schema(read_only)]
+    pub poses: Vec<String>,
+    /// There are ground control points.
+    #[serde(skip_serializing_if = "is_false")]
+    #[schema(read_only)]
+    pub control: bool,
+}
+
+/// Where a job's folder has what belongs to several photos.
+pub const POSES: &str = "in/poses";
+const CONTROL: &str = "in/gcp.csv";
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde gives it so")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// A number, or the text of one, as forms send it.
@@ -161,8 +178,10 @@ impl Submission {
     /// # Errors
     /// Usage, naming the field or the value.
     pub fn of_fields(fields: BTreeMap<String, String>) -> Result<Submission> {
-        if fields.contains_key("photos") {
-            return Err(Error::usage("photos").expected("files in fields named `photo`").found("a text"));
+        for (field, files) in [("photos", "photo"), ("poses", "poses"), ("control", "gcp")] {
+            if fields.contains_key(field) {
+                return Err(Error::usage(field).expected(format!("files in fields named `{files}`")).found("a text"));
+            }
         }
         for (name, text) in &fields {
             if text.len() > LONGEST || text.chars().any(char::is_control) {
@@ -223,12 +242,40 @@ impl Submission {
         ] {
             say(option, value.clone());
         }
+        let list = self.poses.iter().find(|p| p.ends_with(".json")).map(|list| format!("{POSES}/{list}"));
+        say("poses", list.or((!self.poses.is_empty()).then(|| POSES.to_owned())));
+        say("gcp", self.control.then(|| CONTROL.to_owned()));
         out
     }
 
-    /// What a run reads, below the job's folder. The names in it are the server's.
+    /// What a run reads, below the job's folder: the photo, or the folder of several. The names in it are the server's.
     pub fn input(&self) -> String {
-        format!("in/{}", self.photos.first().map_or("", String::as_str))
+        match self.photos.as_slice() {
+            [] | [_] => self.photo(0),
+            _ => self.folder(),
+        }
+    }
+
+    /// Of several photos: its name is the model's.
+    fn folder(&self) -> String {
+        match self.name.as_deref().unwrap_or("model") {
+            // These `orb geo` would name after the folder above.
+            plain @ ("images" | "photos") => format!("in/set/{plain}_model"),
+            name => format!("in/set/{name}"),
+        }
+    }
+
+    /// A photo, below the job's folder.
+    pub fn photo(&self, number: usize) -> String {
+        let name = self.photos.get(number).map_or("", String::as_str);
+        if self.photos.len() > 1 { format!("{}/{name}", self.folder()) } else { format!("in/{name}") }
+    }
+
+    /// Every file that a run reads, below the job's folder.
+    pub fn inputs(&self) -> Vec<String> {
+        let photos = (0..self.photos.len()).map(|i| self.photo(i));
+        let poses = self.poses.iter().map(|p| format!("{POSES}/{p}"));
+        photos.chain(poses).chain(self.control.then(|| CONTROL.to_owned())).collect()
     }
 
     /// Says more of the marking than the photo does.
@@ -304,10 +351,33 @@ mod tests {
     }
 
     #[test]
+    fn several_photos_are_a_folder_of_the_models_name() {
+        let mut s = of(&[("name", "barn")]).unwrap();
+        s.photos = vec!["barn.jpg".into()];
+        assert_eq!((s.input(), s.inputs()), ("in/barn.jpg".to_owned(), vec!["in/barn.jpg".to_owned()]));
+        s.photos = vec!["a.jpg".into(), "b.jpg".into()];
+        assert_eq!((s.input(), s.photo(1)), ("in/set/barn".to_owned(), "in/set/barn/b.jpg".to_owned()));
+        s.poses = vec!["cameras.bin".into(), "images.bin".into(), "points3D.bin".into()];
+        s.control = true;
+        assert_eq!(s.options()[..], ["--poses=in/poses", "--gcp=in/gcp.csv"]);
+        assert_eq!(
+            s.inputs()[2..],
+            ["in/poses/cameras.bin", "in/poses/images.bin", "in/poses/points3D.bin", "in/gcp.csv"]
+        );
+        s.poses = vec!["transforms.json".into()];
+        assert_eq!(s.options()[0], "--poses=in/poses/transforms.json");
+        assert!(crate::cli::geo_args(&s.input(), &s.options()).is_ok());
+        s.name = Some("images".into());
+        assert_eq!(s.input(), "in/set/images_model");
+    }
+
+    #[test]
     fn what_is_no_field_or_no_value() {
         for (field, value) in [
             ("colour", "red"),
             ("photos", "x"),
+            ("poses", "/etc"),
+            ("control", "true"),
             ("heading", "north"),
             ("seed", "-1"),
             ("seed", "1.5"),

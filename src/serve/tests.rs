@@ -22,6 +22,8 @@ use crate::audit::keys::tests::shared_key;
 use crate::audit::{DataFolder, Marking, events};
 use crate::cli::device::Device;
 
+mod several;
+
 const BEGIN: u64 = 1_790_000_000_000;
 
 /// A server with its folder, its clock, and accounts.
@@ -264,6 +266,7 @@ fn roles() {
         ("GET", format!("/api/v1/jobs/{id}/files"), "viewer operator marking-officer"),
         ("GET", format!("/api/v1/jobs/{id}/files/scene.ply"), "viewer operator marking-officer"),
         ("GET", format!("/api/v1/jobs/{id}/archive.zip"), "viewer operator marking-officer"),
+        ("GET", "/api/v1/geocells".to_owned(), "viewer operator marking-officer"),
         ("GET", format!("/view/{id}/"), "viewer operator marking-officer"),
         ("GET", format!("/view/{id}/frame"), "viewer operator marking-officer"),
         ("POST", format!("/api/v1/jobs/{id}/cancel"), "operator"),
@@ -378,6 +381,7 @@ fn a_submission_is_judged_before_it_is_kept() {
     let fixture = Fixture::with(|l| {
         l.pixels = 10_000;
         l.upload = 100_000;
+        l.photos = 1;
     });
     let operator = As::from(fixture.account("jane", "operator", "CUI").as_str());
     let small = photo(64, 64);
@@ -389,7 +393,7 @@ fn a_submission_is_judged_before_it_is_kept() {
         (vec![origin], vec![("a.png", &b"#!/bin/sh"[..])], 422, "JPEG"),
         (vec![origin], vec![("a.png", &photo(200, 100)[..])], 422, "200 × 100"),
         (vec![origin], vec![("a.png", &[0; 150_000][..])], 413, ""),
-        (vec![origin], vec![("a.png", &small[..]), ("b.png", &small[..])], 422, "expected one"),
+        (vec![origin], vec![("a.png", &small[..]), ("b.png", &small[..])], 422, "at most 1"),
         (vec![], vec![("a.png", &small[..])], 422, "origin"),
         (vec![("origin", "91,0,0")], vec![("a.png", &small[..])], 422, "latitude"),
         (vec![("origin", "34.5,-118.4")], vec![("a.png", &small[..])], 422, "height"),

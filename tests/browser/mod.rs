@@ -155,9 +155,14 @@ impl Browser {
 
     /// Gives a file to a field for one.
     pub fn choose(&mut self, selector: &str, file: &Path) {
+        self.choose_all(selector, &[file]);
+    }
+
+    /// Gives files to a field for several.
+    pub fn choose_all(&mut self, selector: &str, files: &[&Path]) {
         let root = self.call("DOM.getDocument", json!({}))["root"]["nodeId"].clone();
         let found = self.call("DOM.querySelector", json!({"nodeId": root, "selector": selector}));
-        self.call("DOM.setFileInputFiles", json!({"nodeId": found["nodeId"], "files": [file]}));
+        self.call("DOM.setFileInputFiles", json!({"nodeId": found["nodeId"], "files": files}));
     }
 
     pub fn click(&mut self, x: f64, y: f64) {

@@ -288,7 +288,7 @@ pub async fn verify(State(server): State<Arc<Server>>, caller: Caller, Path(id):
         let _place = place;
         let job = caller.job(server, &id, Right::Records)?;
         let folder = super::files::folder(server, &job)?;
-        let inputs = [server.place.job(&id).join(job.request.input())];
+        let inputs: Vec<_> = job.request.inputs().iter().map(|i| server.place.job(&id).join(i)).collect();
         let data = server.recorder.data();
         let trust = TrustStore::load(data, &[])?;
         let request = verify::Request { inputs: &inputs, ..verify::Request::new(&folder, &trust, server.now()) };

@@ -6,6 +6,8 @@ pub mod accounts;
 mod caller;
 mod events;
 pub mod files;
+mod form;
+mod geocells;
 pub mod guard;
 pub mod jobs;
 pub mod metrics;
@@ -132,6 +134,7 @@ fn interface() -> OpenApiRouter<Arc<Server>> {
         .routes(routes!(files::one))
         .routes(routes!(files::archive))
         .routes(routes!(files::record))
+        .routes(routes!(geocells::list))
         .routes(routes!(accounts::list, accounts::add))
         .routes(routes!(accounts::disable))
         .routes(routes!(accounts::enable))
@@ -156,7 +159,7 @@ pub fn router(server: Arc<Server>) -> Router {
     let (interface, document) = interface().split_for_parts();
     // Of plain values: it always serialises.
     let document = axum::body::Bytes::from(in_openapis_words(document).to_json().unwrap_or_default());
-    let limit = usize::try_from(server.limits.upload + FORM).unwrap_or(usize::MAX);
+    let limit = usize::try_from(server.limits.submission.max(server.limits.upload) + FORM).unwrap_or(usize::MAX);
     interface
         .route("/openapi.json", get(async || ([(header::CONTENT_TYPE, "application/json")], document)))
         .merge(page::routes())

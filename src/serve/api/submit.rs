@@ -1,57 +1,67 @@
 //! Taking a submission in: its photos to the disk, its fields judged as `orb geo` would judge them.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Json;
-use axum::extract::multipart::{Field, MultipartRejection};
+use axum::extract::multipart::MultipartRejection;
 use axum::extract::{Multipart, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 use image::{ImageFormat, ImageReader};
-use tokio::io::AsyncWriteExt as _;
 use tokio::time::timeout;
 use utoipa::openapi::RefOr;
-use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, SchemaType, Type};
+use utoipa::openapi::schema::{ArrayBuilder, KnownFormat, ObjectBuilder, Schema, SchemaFormat, SchemaType, Type};
 use utoipa::{PartialSchema, ToSchema};
 
+use super::form::{Incoming, PIECE_WITHIN, Taken, last_part, take, too_slow};
 use super::jobs::{InFull, told};
 use super::{Answer, Caller, Refused, blocking};
 use crate::audit::Marking;
+use crate::audit::disk::Disk;
 use crate::audit::time::format_utc;
 use crate::cli::{self, geo};
+use crate::serve::Server;
 use crate::serve::database::New;
 use crate::serve::refusal::Refusal;
 use crate::serve::role::Right;
 use crate::serve::submission::Submission;
-use crate::serve::{Server, random};
 use crate::{Error, Result};
 
 pub const PATH: &str = "/api/v1/jobs";
-/// Until the next piece has come, and all of it.
-const PIECE_WITHIN: Duration = Duration::from_secs(10);
+/// Until all of it has come.
 const ALL_WITHIN: Duration = Duration::from_secs(600);
-/// Longest text of a field, bytes, and fields altogether.
-const LONGEST: usize = 4 << 10;
-const MOST_FIELDS: usize = 64;
+/// Longest name of one of several photos, bytes.
+const LONGEST_NAME: usize = 100;
 
-/// As a form sends it: a photo, and the fields of [`Submission`] beside it.
+/// As a form sends it: photos, what belongs to them, and the fields of [`Submission`] beside them.
 pub struct Form;
 
 impl PartialSchema for Form {
     fn schema() -> RefOr<Schema> {
         let mut schema = Submission::schema();
         if let RefOr::T(Schema::Object(object)) = &mut schema {
-            let file = SchemaFormat::KnownFormat(KnownFormat::Binary);
-            let file = ObjectBuilder::new().schema_type(Type::String).format(Some(file));
-            let photo = file.description(Some("JPEG, PNG, WebP or TIFF.")).build();
-            object.properties.remove("photos");
+            let file = || {
+                let format = SchemaFormat::KnownFormat(KnownFormat::Binary);
+                ObjectBuilder::new().schema_type(Type::String).format(Some(format))
+            };
+            let files = |words: &str| ArrayBuilder::new().items(file()).min_items(Some(1)).description(Some(words));
+            for made_here in ["photos", "poses", "control"] {
+                object.properties.remove(made_here);
+            }
             // A form leaves out what it does not say: there is no null in it.
             object.properties.values_mut().for_each(without_null);
-            object.properties.insert("photo".into(), photo.into());
+            let photos = files("JPEG, PNG, WebP or TIFF; several of one subject, each by its own name.");
+            object.properties.insert("photo".into(), photos.build().into());
+            let poses = files(
+                "Of several photos: cameras, images and points3D of a COLMAP model (.bin or .txt), or transforms.json.",
+            );
+            object.properties.insert("poses".into(), poses.max_items(Some(3)).build().into());
+            let control = file().description(Some("Of several photos: ground control points, CSV."));
+            object.properties.insert("gcp".into(), control.build().into());
             object.required.push("photo".into());
         }
         schema
@@ -66,9 +76,8 @@ fn without_null(schema: &mut RefOr<Schema>) {
             }
         }
         RefOr::T(Schema::OneOf(one)) => {
-            let is_null =
-                |s: &RefOr<Schema>| matches!(s, RefOr::T(Schema::Object(o)) if o.schema_type == Type::Null.into());
-            one.items.retain(|item| !is_null(item));
+            let null = SchemaType::from(Type::Null);
+            one.items.retain(|item| !matches!(item, RefOr::T(Schema::Object(o)) if o.schema_type == null));
         }
         _ => {}
     }
@@ -80,7 +89,7 @@ impl ToSchema for Form {
     }
 }
 
-/// Submit a photo
+/// Submit a photo, or several of one subject
 #[utoipa::path(post, path = PATH, tag = "jobs", security(("token" = []), ("session" = [])),
     request_body(content = Form, content_type = "multipart/form-data"),
     responses((status = 201, body = InFull, headers(("location" = String, description = "The job's address"))),
@@ -107,10 +116,6 @@ pub async fn submit(
     Ok((StatusCode::CREATED, [(header::LOCATION, address)], Json(job)).into_response())
 }
 
-fn too_slow() -> Refusal {
-    Refusal::new(StatusCode::REQUEST_TIMEOUT, "TOO_SLOW", "the submission did not come in time")
-}
-
 fn full(words: String) -> Refusal {
     Refusal::new(StatusCode::INSUFFICIENT_STORAGE, "FULL", words)
 }
@@ -127,136 +132,35 @@ fn has_room(server: &Server, account: &str) -> Answer<()> {
     Ok(())
 }
 
-/// The folder of a submission that is being taken in; what does not become a job is gone when this is.
-struct Incoming {
-    server: Arc<Server>,
-    id: String,
-}
-
-impl Incoming {
-    async fn begin(server: &Arc<Server>) -> Answer<Incoming> {
-        let incoming = Incoming { server: Arc::clone(server), id: hex::encode(random::<16>()?) };
-        let id = incoming.id.clone();
-        blocking(server, move |server| {
-            let folder = server.place.begin_incoming(&id)?;
-            Ok(crate::audit::disk::Disk::default().create_dir(&folder.join("in"))?)
-        })
-        .await?;
-        Ok(incoming)
-    }
-
-    /// Of a photo, before it is known what it is.
-    fn part(&self) -> std::path::PathBuf {
-        self.server.place.incoming(&self.id).join("in/photo.part")
-    }
-}
-
-impl Drop for Incoming {
-    fn drop(&mut self) {
-        if let Err(e) = self.server.place.remove_incoming(&self.id) {
-            eprintln!("orb: warning: {e}");
-        }
-    }
-}
-
-/// What a form held.
-struct Taken {
-    fields: BTreeMap<String, String>,
-    /// As the client called it, and its size.
-    photo: Option<(String, u64)>,
-}
-
-async fn take(server: &Server, mut form: Multipart, incoming: &Incoming) -> Answer<Taken> {
-    let mut taken = Taken { fields: BTreeMap::new(), photo: None };
-    loop {
-        let next = timeout(PIECE_WITHIN, form.next_field()).await.map_err(|_| too_slow())?;
-        let Some(field) = next.map_err(unreadable)? else { return Ok(taken) };
-        let name = field.name().unwrap_or_default().to_owned();
-        if name == "photo" {
-            if taken.photo.is_some() {
-                return Err(Refusal::unusable("photo: expected one, found more"));
-            }
-            let called = field.file_name().unwrap_or_default().to_owned();
-            let bytes = keep(field, &incoming.part(), server.limits.upload).await?;
-            taken.photo = Some((called, bytes));
-            continue;
-        }
-        let text = text(field).await?;
-        if taken.fields.len() >= MOST_FIELDS {
-            return Err(Refusal::unusable(format!("expected at most {MOST_FIELDS} fields")));
-        }
-        match taken.fields.get_mut(&name) {
-            // A list may come one by one.
-            Some(list) if name == "format" => *list = format!("{list},{text}"),
-            Some(_) => return Err(Refusal::unusable(format!("{name}: expected once, found more"))),
-            None => drop(taken.fields.insert(name, text)),
-        }
-    }
-}
-
-fn unreadable(error: axum::extract::multipart::MultipartError) -> Refusal {
-    match error.status() {
-        StatusCode::PAYLOAD_TOO_LARGE => Refusal::too_large(error.body_text()),
-        _ => Refusal::unusable(error.body_text()),
-    }
-}
-
-async fn piece(field: &mut Field<'_>) -> Answer<Option<axum::body::Bytes>> {
-    timeout(PIECE_WITHIN, field.chunk()).await.map_err(|_| too_slow())?.map_err(unreadable)
-}
-
-async fn text(mut field: Field<'_>) -> Answer<String> {
-    let mut bytes = Vec::new();
-    while let Some(piece) = piece(&mut field).await? {
-        bytes.extend_from_slice(&piece);
-        if bytes.len() > LONGEST {
-            return Err(Refusal::too_large(format!("a field of more than {LONGEST} bytes")));
-        }
-    }
-    String::from_utf8(bytes).map_err(|_| Refusal::unusable("a field that is no UTF-8"))
-}
-
-async fn keep(mut field: Field<'_>, path: &Path, limit: u64) -> Answer<u64> {
-    let io = |e: std::io::Error| Refusal::from(Error::io(path, &e));
-    let mut options = tokio::fs::OpenOptions::new();
-    let mut file = options.write(true).create_new(true).open(path).await.map_err(io)?;
-    let mut bytes = 0;
-    while let Some(piece) = piece(&mut field).await? {
-        bytes += piece.len() as u64;
-        if bytes > limit {
-            return Err(Refusal::too_large(format!("photo: expected at most {limit} bytes")));
-        }
-        file.write_all(&piece).await.map_err(io)?;
-    }
-    file.sync_all().await.map_err(io)?;
-    Ok(bytes)
-}
-
 /// Judges a submission and puts it into the queue.
 fn accept(server: &Arc<Server>, caller: &Caller, taken: Taken, incoming: Incoming) -> Answer<InFull> {
-    let Some((called, bytes)) = taken.photo.filter(|(_, bytes)| *bytes > 0) else {
+    let Some(first) = taken.photos.first() else {
         return Err(Refusal::unusable("photo: expected a file, found none"));
     };
     let mut request = Submission::of_fields(taken.fields)?;
     if request.marks() {
         caller.need(server, Right::Mark)?;
     }
-    let stem = cli::safe_stem(Path::new(request.name.as_deref().unwrap_or(&called)));
-    let photo = std::fs::read(incoming.part()).map_err(|e| Error::io(&incoming.part(), &e))?;
-    request.photos = vec![format!("{stem}.{}", ending(&photo, server.limits.pixels)?)];
-    request.name = Some(stem);
-    let marking = judge(&request, &photo, server.now()).inspect_err(|e| {
+    let stem = cli::safe_stem(Path::new(request.name.as_deref().unwrap_or(first)));
+    request.name = Some(stem.clone());
+    request.poses = taken.poses.iter().map(|p| (*p).to_owned()).collect();
+    request.control = taken.control;
+    request.photos = name_photos(&stem, &taken.photos, &incoming, server.limits.pixels)?;
+    let folder = incoming.folder();
+    let disk = Disk::default();
+    disk.create_dir_all(folder.join(request.photo(0)).parent().unwrap_or(&folder))?;
+    for number in 0..request.photos.len() {
+        disk.rename(&incoming.part(number), &folder.join(request.photo(number)))?;
+    }
+    let marking = judge(&request, &folder, server.now()).inspect_err(|e| {
         if e.kind == crate::Kind::Policy {
             server.recorder.refused(&caller.name, "MARKING", server.now());
         }
     })?;
-    drop(photo);
     check_marking(server, caller, &marking)?;
-    let to = server.place.incoming(&incoming.id).join(request.input());
-    crate::audit::disk::Disk::default().rename(&incoming.part(), &to)?;
     server.place.accept(&incoming.id)?;
     let id = &incoming.id;
-    let (submitted, marking) = (server.now(), marking.banner());
+    let (submitted, marking, bytes) = (server.now(), marking.banner(), taken.bytes);
     let job = New { id, account: &caller.name, marking: &marking, request: &request, submitted, bytes };
     if !server.database.add_job(&job, &server.limits)? {
         server.place.remove_job(id)?;
@@ -268,14 +172,50 @@ fn accept(server: &Arc<Server>, caller: &Caller, taken: Taken, incoming: Incomin
     Ok(InFull { job: told(server, job), waiting_before, result: None })
 }
 
-/// By what stands in the file, whatever it is called.
-fn ending(photo: &[u8], pixels: u64) -> Result<&'static str> {
+/// One photo gets the model's name. Several keep their own, since poses and control points name them; a name that could be
+/// more than a name is refused.
+fn name_photos(stem: &str, called: &[String], incoming: &Incoming, pixels: u64) -> Result<Vec<String>> {
+    let mut taken = BTreeSet::new();
+    let mut name = |(number, called_so): (usize, &String)| {
+        let path = incoming.part(number);
+        let photo = std::fs::read(&path).map_err(|e| Error::io(&path, &e))?;
+        let endings = endings(&photo, pixels)?;
+        if called.len() == 1 {
+            return Ok(format!("{stem}.{}", endings[0]));
+        }
+        let name = own_name(last_part(called_so), endings)?;
+        // Two of a name would be one file where case does not count.
+        match taken.insert(name.to_lowercase()) {
+            true => Ok(name),
+            false => Err(Error::usage("photo").expected("a name of its own for each").found(format!("{name} twice"))),
+        }
+    };
+    called.iter().enumerate().map(&mut name).collect()
+}
+
+/// A photo's own name, if that is nothing but a name; with an ending that its contents have.
+fn own_name(called: &str, endings: &[&str]) -> Result<String> {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "._- ()".contains(c);
+    if called.len() > LONGEST_NAME || called.starts_with(['.', ' ', '-']) || !called.chars().all(plain) {
+        return Err(Error::usage("photo")
+            .expected(format!("a file name of at most {LONGEST_NAME} letters, digits and . _ - ( )"))
+            .found(format!("{called:?}")));
+    }
+    let (stem, ending) = called.rsplit_once('.').unwrap_or((called, ""));
+    match endings.contains(&ending.to_ascii_lowercase().as_str()) {
+        true => Ok(called.to_owned()),
+        false => Ok(format!("{stem}.{}", endings[0])),
+    }
+}
+
+/// By what stands in the file, whatever it is called: the ending that it gets, and those that it may have.
+fn endings(photo: &[u8], pixels: u64) -> Result<&'static [&'static str]> {
     let no_photo = |found: String| Error::usage("photo").expected("JPEG, PNG, WebP or TIFF").found(found);
-    let ending = match image::guess_format(photo) {
-        Ok(ImageFormat::Jpeg) => "jpg",
-        Ok(ImageFormat::Png) => "png",
-        Ok(ImageFormat::WebP) => "webp",
-        Ok(ImageFormat::Tiff) => "tif",
+    let endings: &[&str] = match image::guess_format(photo) {
+        Ok(ImageFormat::Jpeg) => &["jpg", "jpeg"],
+        Ok(ImageFormat::Png) => &["png"],
+        Ok(ImageFormat::WebP) => &["webp"],
+        Ok(ImageFormat::Tiff) => &["tif", "tiff"],
         _ => return Err(no_photo("something else".into())),
     };
     let reader = ImageReader::new(Cursor::new(photo)).with_guessed_format().map_err(|e| no_photo(e.to_string()))?;
@@ -285,13 +225,27 @@ fn ending(photo: &[u8], pixels: u64) -> Result<&'static str> {
             .expected(format!("at most {pixels} pixels"))
             .found(format!("{width} × {height}")));
     }
-    Ok(ending)
+    Ok(endings)
 }
 
-/// What the run would refuse at its beginning is refused now.
-fn judge(request: &Submission, photo: &[u8], now: u64) -> Result<Marking> {
-    let args = cli::geo_args(&request.input(), &request.options())?;
-    geo::judge(&args, photo, &format_utc(now))
+/// What the run would refuse at its beginning is refused now. `folder` is the job's, which no word of an error names.
+fn judge(request: &Submission, folder: &Path, now: u64) -> Result<Marking> {
+    let mut args = cli::geo_args(&request.input(), &request.options())?;
+    let below = |path: &mut Option<std::path::PathBuf>| {
+        if let Some(path) = path {
+            *path = folder.join(&*path);
+        }
+    };
+    below(&mut args.photo);
+    below(&mut args.photos.poses);
+    below(&mut args.photos.gcp);
+    geo::judge(&args, &format_utc(now)).map_err(|mut e| {
+        let here = format!("{}/", folder.display());
+        for words in [&mut e.subject, &mut e.expected, &mut e.found, &mut e.advice] {
+            *words = words.replace(&here, "");
+        }
+        e
+    })
 }
 
 fn check_marking(server: &Server, caller: &Caller, marking: &Marking) -> Answer<()> {
@@ -322,11 +276,30 @@ mod tests {
     fn a_photo_is_what_stands_in_it() {
         let mut png = Cursor::new(Vec::new());
         image::RgbImage::new(30, 20).write_to(&mut png, ImageFormat::Png).unwrap();
-        assert_eq!(ending(png.get_ref(), 600).unwrap(), "png");
-        assert!(ending(png.get_ref(), 599).unwrap_err().to_string().contains("30 × 20"));
+        assert_eq!(endings(png.get_ref(), 600).unwrap(), ["png"]);
+        assert!(endings(png.get_ref(), 599).unwrap_err().to_string().contains("30 × 20"));
         for wrong in [&b"#!/bin/sh\n"[..], b"GIF89a", b"", b"\x89PNG\r\n\x1a\n"] {
-            assert!(ending(wrong, 600).is_err());
+            assert!(endings(wrong, 600).is_err());
         }
-        assert!(crate::serve::place::is_id(&hex::encode(random::<16>().unwrap())));
+    }
+
+    #[test]
+    fn a_name_is_a_name() {
+        for (called, name) in [
+            ("IMG_1 (2).JPG", Some("IMG_1 (2).JPG")),
+            ("a.jpeg", Some("a.jpeg")),
+            ("a.png", Some("a.jpg")),
+            ("a", Some("a.jpg")),
+            (".jpg", None),
+            ("..", None),
+            ("-o.jpg", None),
+            ("a\u{0}.jpg", None),
+            ("ü.jpg", None),
+            (&"x".repeat(101), None),
+        ] {
+            assert_eq!(own_name(called, &["jpg", "jpeg"]).ok().as_deref(), name, "{called}");
+        }
+        assert_eq!(last_part("C:\\photos\\../a.jpg"), "a.jpg");
+        assert!(crate::serve::place::is_id(&hex::encode(crate::serve::random::<16>().unwrap())));
     }
 }

@@ -2,9 +2,11 @@
 
 mod accounts;
 mod jobs;
+mod places;
 
 pub use accounts::Checked;
 pub use jobs::{Ended, Job, New, Selection, State};
+pub use places::{Placed, Stands};
 
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard};
@@ -16,7 +18,7 @@ use super::lock;
 use crate::{Error, Result};
 
 /// The tables' version, in SQLite's own field for it.
-const VERSION: i64 = 1;
+const VERSION: i64 = 2;
 const TABLES: &str = "
 CREATE TABLE account (
     name TEXT PRIMARY KEY, roles TEXT NOT NULL, ceiling TEXT NOT NULL, token_sha256 BLOB NOT NULL,
@@ -56,12 +58,14 @@ impl Database {
             connection.pragma_update(None, "trusted_schema", false)?;
             connection.pragma_query_value(None, "user_version", |row| row.get::<_, i64>(0))
         };
+        let make = |tables: &[&str]| {
+            let whole = format!("BEGIN IMMEDIATE; {} PRAGMA user_version = {VERSION}; COMMIT;", tables.concat());
+            connection.execute_batch(&whole).map_err(failed)
+        };
         match set(&connection).map_err(failed)? {
             VERSION => {}
-            0 => {
-                let whole = format!("BEGIN IMMEDIATE; {TABLES} PRAGMA user_version = {VERSION}; COMMIT;");
-                connection.execute_batch(&whole).map_err(failed)?;
-            }
+            1 => make(&[places::TABLES])?,
+            0 => make(&[TABLES, places::TABLES])?,
             other => {
                 return Err(Error::environment(path.display().to_string())
                     .expected(format!("tables of version {VERSION}"))

@@ -3,7 +3,7 @@
 
 const $ = (id) => document.getElementById(id);
 const api = "/api/v1";
-let [session, open, source, listed] = [null, null, null, []];
+let [session, open, source, listed, cells] = [null, null, null, [], []];
 
 // ---- asking the server
 
@@ -60,17 +60,21 @@ function signedIn(found) {
   $("authority").hidden = !may("marking-officer");
   $("work").hidden = !may("viewer", "operator", "marking-officer", "auditor");
   say("");
-  if (!$("work").hidden) refresh();
-  else say("This account has no part in jobs: its work is done by the interface for programs.");
+  if ($("work").hidden) return say("This account has no part in jobs: its work is done by the interface for programs.");
+  attempt(async () => {
+    await refresh();
+    await map();
+  });
 }
 
 function signedOut(words = "") {
   session = null;
   close();
-  for (const id of ["who", "submit", "work"]) $(id).hidden = true;
+  for (const id of ["who", "submit", "work", "places"]) $(id).hidden = true;
   $("jobs").replaceChildren();
+  $("maps").replaceChildren();
   $("submit").reset();
-  photo(null);
+  photo();
   $("signin").hidden = false;
   $("token").focus();
   say(words);
@@ -97,12 +101,19 @@ $("out").onclick = () => attempt(async () => {
 const [stage, shown, cross] = [$("stage"), $("shown"), $("cross")];
 let point = null;
 
-function photo(file) {
+/** Shows what was chosen: one photo to point at, or the first of several. */
+function photo(files = []) {
+  const several = files.length > 1;
   if (shown.src) URL.revokeObjectURL(shown.src);
   shown.removeAttribute("src");
-  const can = file && file.type !== "image/tiff";
-  if (can) shown.src = URL.createObjectURL(file);
-  stage.hidden = $("pointing").hidden = !can;
+  const can = files.length && files[0].type !== "image/tiff";
+  if (can) shown.src = URL.createObjectURL(files[0]);
+  stage.hidden = !can;
+  stage.tabIndex = several ? -1 : 0;
+  $("pointing").hidden = !can || several;
+  $("several").hidden = !several;
+  $("photos").textContent = several ? `${files.length} photos: ${[...files].slice(0, 6).map((f) => f.name).join(", ")}${files.length > 6 ? ", …" : ""}` : "";
+  if (!several) $("poses").value = $("gcp").value = "";
   put(null);
 }
 
@@ -116,14 +127,16 @@ function put(at) {
   cross.style.top = `${(100 * (point.y + 0.5)) / shown.naturalHeight}%`;
 }
 
-$("photo").onchange = () => photo($("photo").files[0]);
+$("photo").onchange = () => photo($("photo").files);
 stage.onclick = (e) => {
+  if (!$("several").hidden) return;
   const box = shown.getBoundingClientRect();
   put({ x: ((e.clientX - box.left) / box.width) * shown.naturalWidth - 0.5, y: ((e.clientY - box.top) / box.height) * shown.naturalHeight - 0.5 });
 };
 stage.onkeydown = (e) => {
   const moves = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   const move = moves[e.key];
+  if (!$("several").hidden) return;
   if (e.key === "Delete" || e.key === "Backspace") put(null);
   else if (move) {
     const step = shown.naturalWidth / (e.shiftKey ? 200 : 40);
@@ -141,7 +154,7 @@ drop.ondrop = (e) => {
   drop.classList.remove("over");
   if (!e.dataTransfer.files.length) return;
   $("photo").files = e.dataTransfer.files;
-  photo($("photo").files[0]);
+  photo($("photo").files);
 };
 
 $("submit").onsubmit = (e) => {
@@ -150,15 +163,15 @@ $("submit").onsubmit = (e) => {
   const formats = all.getAll("format");
   all.delete("format");
   if (formats.length) all.set("format", formats.join(","));
-  for (const [name, value] of [...all]) if (value === "") all.delete(name);
+  for (const [name, value] of [...all]) if (value === "" || (value instanceof File && !value.name)) all.delete(name);
   const button = e.submitter ?? $("submit").querySelector("button.main");
   button.disabled = true;
-  say("Sending the photo …");
+  say(all.getAll("photo").length > 1 ? "Sending the photos …" : "Sending the photo …");
   attempt(async () => {
     const job = await ask("POST", "/jobs", all);
     say(job.waiting_before ? `Submitted; ${job.waiting_before} jobs wait before it.` : "Submitted.");
     $("submit").reset();
-    photo(null);
+    photo();
     await refresh();
     show(job.id);
   }).finally(() => { button.disabled = false; });
@@ -250,6 +263,7 @@ function told(job) {
     if (before) say(`${job.name}: ${job.state}.`);
     if (ended) source?.close();
     if (job.state === "done") results(job);
+    if (job.state === "done" && before) attempt(() => map());
   }
 }
 
@@ -283,6 +297,7 @@ $("delete").onclick = () => attempt(async () => {
   await ask("DELETE", `/jobs/${open}`);
   close();
   await refresh();
+  await map();
   say("Deleted.");
 });
 $("verify").onclick = () => attempt(async () => {
@@ -297,6 +312,64 @@ $("verify").onclick = () => attempt(async () => {
     $("verify").disabled = false;
   }
 });
+
+// ---- what stands where: a square for each geocell, north up, an arrow for each model where its camera looked
+
+const drawn = (name, attributes, text = "") => {
+  const e = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  e.textContent = text;
+  return e;
+};
+const degrees = (v, [plus, minus]) => `${Math.abs(v)}° ${v < 0 ? minus : plus}`;
+
+/** As wide as the cell is beside its height, at its middle; 100 units of height. */
+function cellMap(cell) {
+  const wide = Math.max(20, 100 * cell.width * Math.cos(((cell.south + 0.5) * Math.PI) / 180));
+  const svg = drawn("svg", { viewBox: `0 0 ${wide} 100`, role: "img", "aria-label": `Map of ${cell.name}: ${cell.models.length} models` });
+  for (let i = 1; i < 10; i++) {
+    svg.append(drawn("line", { x1: 0, x2: wide, y1: 10 * i, y2: 10 * i }), drawn("line", { y1: 0, y2: 100, x1: (wide * i) / 10, x2: (wide * i) / 10 }));
+  }
+  svg.append(drawn("text", { x: 2, y: 98 }, `${degrees(cell.south, "NS")}, ${degrees(cell.west, "EW")}`));
+  for (const m of cell.models) {
+    const [x, y] = [((m.longitude - cell.west) / cell.width) * wide, 100 * (cell.south + 1 - m.latitude)];
+    const arrow = drawn("path", { d: "M0,-4 L2.6,3.2 L0,1.6 L-2.6,3.2 Z", transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${m.heading})` });
+    arrow.append(drawn("title", {}, m.name ?? "model"));
+    svg.append(arrow);
+  }
+  return svg;
+}
+
+function cellPart(cell) {
+  const item = (m) => {
+    const button = Object.assign(document.createElement("button"), { type: "button", onclick: () => show(m.id) });
+    const about = Object.assign(document.createElement("span"), { className: "soft", textContent: ` ${m.latitude.toFixed(5)}, ${m.longitude.toFixed(5)}, heading ${Math.round(m.heading)}° · ${m.marking}` });
+    button.append(`${m.number}. ${m.name ?? "model"}`, about);
+    const li = document.createElement("li");
+    li.append(button);
+    return li;
+  };
+  const [part, title, all] = ["div", "h3", "ul"].map((e) => document.createElement(e));
+  title.textContent = cell.name;
+  all.append(...cell.models.map(item));
+  part.append(title, cellMap(cell), all);
+  return part;
+}
+
+async function map(before) {
+  if (!may("viewer", "operator", "marking-officer")) return;
+  const page = await ask("GET", `/geocells?limit=200${before ? `&before=${before}` : ""}`);
+  for (const cell of before ? cells : []) {
+    const more = page.geocells.find((c) => c.name === cell.name);
+    if (more) more.models = [...cell.models, ...more.models];
+    else page.geocells.push(cell);
+  }
+  cells = page.geocells;
+  $("places").hidden = !cells.length;
+  $("maps").replaceChildren(...cells.map(cellPart));
+  $("farther").hidden = !page.before;
+  $("farther").onclick = () => attempt(() => map(page.before));
+}
 
 // ---- begin
 
