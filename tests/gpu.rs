@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use glam::Vec3;
 use orb::splat::render::gpu::{Gpu, Renderer, Scene, sort_pairs};
-use orb::splat::render::{Frame, normals, render};
+use orb::splat::render::{Frame, normals, render, to_bytes};
 use orb::splat::{Camera, Gaussians, SH_COEFFICIENTS};
 use proptest::prelude::*;
 
@@ -286,6 +286,30 @@ fn same_bytes_every_time() {
 }
 
 /// Some of the Gaussians not finite, some behind the camera, one over all of the picture.
+/// A quarter of what is read back: the same bytes as the CPU makes of the floats, for sizes that fill no workgroup and after
+/// larger and smaller pictures.
+#[test]
+fn bytes_are_those_of_the_floats() {
+    let Some(gpu) = gpu() else { return };
+    let g = scene(3000, -4.0, -1.5, 91);
+    let uploaded = Scene::upload(gpu, &g).unwrap();
+    let mut renderer = Renderer::new(gpu).unwrap();
+    for (i, (width, height)) in [(200, 150), (17, 5), (333, 77), (1, 1)].into_iter().enumerate() {
+        let camera = camera(width, height, 70 + i as u64);
+        let bytes = renderer.render_bytes(&uploaded, &camera).unwrap();
+        let frame = renderer.render(&uploaded, &camera, [0.0; 3]).unwrap();
+        assert_eq!(bytes, to_bytes(&frame.color, &frame.alpha), "{width} × {height}");
+        assert!(width < 100 || bytes.iter().any(|b| b[3] == 255) && bytes.iter().any(|b| (1..255).contains(&b[3])));
+    }
+    // Every value that decides, and beyond the ends.
+    let at = |v: f32| to_bytes(&[[v; 3]], &[v])[0];
+    for k in 0..256u32 {
+        let edge = k as f32 / 256.0;
+        assert_eq!((at(edge)[0], at(f32::next_down(edge))[0]), (k as u8, k.saturating_sub(1) as u8));
+    }
+    assert_eq!((at(1.0), at(1.5), at(-0.5)), ([255; 4], [255; 4], [0; 4]));
+}
+
 fn with_oddities(mut g: Gaussians, camera: &Camera, seed: u64) -> Gaussians {
     let r = &mut Random(seed ^ 0x0dd);
     if g.is_empty() {

@@ -8,7 +8,7 @@ use super::query::{Query, Show};
 use super::subject::{Level, Subject};
 use crate::mesh::raster::{raster, visibility};
 use crate::preview::ramp;
-use crate::splat::render::{self, Frame, gpu};
+use crate::splat::render::{self, Frame, gpu, to_bytes};
 use crate::splat::{Camera, Gaussians};
 use crate::{Error, Result};
 
@@ -43,15 +43,31 @@ impl<'a> Splats<'a> {
         })
     }
 
-    fn render(&mut self, camera: &Camera, depth: bool) -> Result<Frame> {
+    /// With depths.
+    fn render(&mut self, camera: &Camera) -> Result<Frame> {
         match self {
             Splats::Gpu { scene, renderer } => {
-                renderer.depth = depth;
+                renderer.depth = true;
                 renderer.render(scene, camera, [0.0; 3])
             }
             Splats::Cpu(drawer) => {
-                drawer.depth = depth;
+                drawer.depth = true;
                 Ok(drawer.render(camera, [0.0; 3]))
+            }
+        }
+    }
+
+    /// Colours alone, as bytes: from a GPU they come so.
+    fn colours(&mut self, camera: &Camera) -> Result<Layer> {
+        match self {
+            Splats::Gpu { scene, renderer } => {
+                renderer.depth = false;
+                renderer.render_bytes(scene, camera)
+            }
+            Splats::Cpu(drawer) => {
+                drawer.depth = false;
+                let frame = drawer.render(camera, [0.0; 3]);
+                Ok(to_bytes(&frame.color, &frame.alpha))
             }
         }
     }
@@ -67,11 +83,8 @@ impl<'a> Splats<'a> {
     }
 }
 
-/// Colours 0 to 1 and how much of each pixel is the subject's.
-struct Layer {
-    color: Vec<[f32; 3]>,
-    alpha: Vec<f32>,
-}
+/// Colours times how much of the pixel is the subject's, and how much that is; as [`to_bytes`] makes them.
+type Layer = Vec<[u8; 4]>;
 
 pub struct Draw<'a> {
     subject: &'a Subject,
@@ -91,24 +104,25 @@ impl<'a> Draw<'a> {
         let background = if query.dark { [0.09; 3] } else { [0.97; 3] };
         let layer = match (&mut self.splats, level(self.subject, query.level)) {
             (_, Some(level)) => of_mesh(self.subject, level, query, camera, background),
+            (Some(splats), None) if query.show == Show::Colour => splats.colours(camera)?,
             (Some(splats), None) => of_splats(self.subject, splats, query.show, camera)?,
-            (None, None) => Layer { color: vec![[0.0; 3]; width * height], alpha: vec![0.0; width * height] },
+            (None, None) => vec![[0; 4]; width * height],
         };
         let heading = self.subject.place.map_or(0.0, |p| p.heading);
         let ground = query.grid.then(|| Ground::new(self.subject.radius, heading, query.dark));
         let rays = Rays::new(camera);
         let mut pixels = vec![0u8; 3 * width * height];
-        pixels.par_chunks_mut(3 * width).enumerate().for_each(|(y, row)| {
-            for (x, out) in row.chunks_exact_mut(3).enumerate() {
-                let i = y * width + x;
-                let through = 1.0 - layer.alpha[i];
-                let behind = match &ground {
-                    Some(ground) if through > 0.002 => ground.over(&rays, x, y, background),
-                    _ => background,
-                };
-                for c in 0..3 {
-                    let value = layer.color[i][c] + through * behind[c];
-                    out[c] = (value.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        pixels.par_chunks_mut(3 * width).zip(layer.par_chunks(width)).enumerate().for_each(|(y, (row, layer))| {
+            for (x, (out, [r, g, b, alpha])) in row.chunks_exact_mut(3).zip(layer).enumerate() {
+                let own = [*r, *g, *b];
+                if *alpha == u8::MAX {
+                    out.copy_from_slice(&own);
+                    continue;
+                }
+                let through = 1.0 - f32::from(*alpha) / 255.0;
+                let behind = ground.as_ref().map_or(background, |ground| ground.over(&rays, x, y, background));
+                for ((out, own), behind) in out.iter_mut().zip(own).zip(behind) {
+                    *out = (f32::from(own) + 255.0 * through * behind + 0.5).clamp(0.0, 255.0) as u8;
                 }
             }
         });
@@ -123,7 +137,7 @@ impl<'a> Draw<'a> {
         let at = (y.min(camera.height - 1) * camera.width + x.min(camera.width - 1)) as usize;
         let depth = match (&mut self.splats, level(self.subject, query.level)) {
             (_, Some(level)) => visibility(&level.mesh.positions, &level.mesh.triangles, camera).depth[at],
-            (Some(splats), None) => splats.render(camera, true)?.median_depth[at],
+            (Some(splats), None) => splats.render(camera)?.median_depth[at],
             (None, None) => 0.0,
         };
         let (px, py) = (x as f32 + 0.5, y as f32 + 0.5);
@@ -165,21 +179,18 @@ fn shade_of_normal(n: [f32; 3]) -> [f32; 3] {
     [n[0], -n[1], -n[2]].map(|v| 0.5 + 0.5 * v)
 }
 
+/// Depths or normals.
 fn of_splats(subject: &Subject, splats: &mut Splats, show: Show, camera: &Camera) -> Result<Layer> {
-    if show == Show::Colour {
-        let frame = splats.render(camera, false)?;
-        return Ok(Layer { color: frame.color, alpha: frame.alpha });
-    }
-    let frame = splats.render(camera, true)?;
+    let frame = splats.render(camera)?;
     let normals = if show == Show::Normals { Some(splats.normals(camera)?) } else { None };
     let shade = |i: usize| match &normals {
         Some(normals) => shade_of_normal(normals[i]),
         None => shade_of_depth(subject, camera, frame.median_depth[i]),
     };
     let seen = |i: usize| frame.alpha[i] >= SEEN && frame.median_depth[i] > 0.0;
-    let color = (0..frame.alpha.len()).into_par_iter().map(|i| if seen(i) { shade(i) } else { [0.0; 3] }).collect();
-    let alpha = (0..frame.alpha.len()).map(|i| if seen(i) { 1.0 } else { 0.0 }).collect();
-    Ok(Layer { color, alpha })
+    let shaded = |i: usize| if seen(i) { (shade(i), 1.0) } else { ([0.0; 3], 0.0) };
+    let (color, alpha): (Vec<_>, Vec<_>) = (0..frame.alpha.len()).into_par_iter().map(shaded).unzip();
+    Ok(to_bytes(&color, &alpha))
 }
 
 fn of_mesh(subject: &Subject, level: &Level, query: &Query, camera: &Camera, background: [f32; 3]) -> Layer {
@@ -187,7 +198,7 @@ fn of_mesh(subject: &Subject, level: &Level, query: &Query, camera: &Camera, bac
     let seen = visibility(&mesh.positions, &mesh.triangles, camera);
     let drawn = |i: usize| seen.triangle[i] != u32::MAX;
     let alpha: Vec<f32> = (0..seen.depth.len()).map(|i| if drawn(i) { 1.0 } else { 0.0 }).collect();
-    let color = match query.show {
+    let color: Vec<[f32; 3]> = match query.show {
         Show::Colour => {
             let background = background.map(|c| (c * 255.0) as u8);
             let image = raster(mesh, Some(&level.texture), camera, background, if query.rest { 2 } else { 1 });
@@ -211,5 +222,5 @@ fn of_mesh(subject: &Subject, level: &Level, query: &Query, camera: &Camera, bac
             (0..alpha.len()).map(|i| if drawn(i) { flat[seen.triangle[i] as usize] } else { [0.0; 3] }).collect()
         }
     };
-    Layer { color, alpha }
+    to_bytes(&color, &alpha)
 }

@@ -27,6 +27,12 @@ pub struct Frame {
     pub median_depth: Vec<f32>,
 }
 
+/// A picture's colours and its α as bytes, ⌊256 v⌋ and 255 at most: the same as `shaders/bytes.wgsl` makes.
+pub fn to_bytes(color: &[[f32; 3]], alpha: &[f32]) -> Vec<[u8; 4]> {
+    let byte = |v: f32| (v.clamp(0.0, 1.0) * 256.0).min(255.0) as u8;
+    color.par_iter().zip(alpha.par_iter()).map(|(c, a)| [byte(c[0]), byte(c[1]), byte(c[2]), byte(*a)]).collect()
+}
+
 /// Draws one set of Gaussians from many cameras: what does not depend on the camera is kept from picture to picture.
 pub struct Drawer {
     gaussians: Arc<Packed>,

@@ -3,6 +3,7 @@
 use wgpu::{Buffer, BufferUsages};
 
 use super::buffers::{MOST_GROUPS, Scene};
+use super::bytes::ToBytes;
 use super::device::Gpu;
 use super::kernel::read;
 use super::plan::{ALL, COUNTS, Kernels, Plan, RANGE_BLOCK, Shape, TILE, View};
@@ -38,8 +39,10 @@ pub struct Counted {
 
 /// Draws scenes on one GPU. Lists are kept from picture to picture and grow when a picture did not fit.
 pub struct Renderer<'a> {
-    gpu: &'a Gpu,
+    pub(super) gpu: &'a Gpu,
     kernels: Kernels,
+    /// Compiled when it is first asked for.
+    pub(super) to_bytes: Option<ToBytes>,
     plan: Option<Plan>,
     /// Number of pairs the last overflow asked for.
     room: u64,
@@ -79,6 +82,7 @@ impl<'a> Renderer<'a> {
         });
         let renderer = Renderer {
             kernels: Kernels::new(gpu),
+            to_bytes: None,
             plan: None,
             room: 0,
             bands: 1,
@@ -110,13 +114,23 @@ impl<'a> Renderer<'a> {
     /// The same picture as [`super::super::render`] with the same background.
     /// Errors: usage for a camera without pixels; environment when the adapter fails or is too small.
     pub fn render(&mut self, scene: &Scene, camera: &Camera, background: [f32; 3]) -> Result<Frame> {
+        self.draw_until_drawn(scene, camera, background)?;
+        self.frame()
+    }
+
+    /// Draws with longer lists until they hold the picture.
+    pub(super) fn draw_until_drawn(&mut self, scene: &Scene, camera: &Camera, background: [f32; 3]) -> Result<()> {
         loop {
             self.draw(scene, camera, background)?;
             if self.settle()?.iter().all(|c| c.drawn) {
-                break;
+                return Ok(());
             }
         }
-        self.frame()
+    }
+
+    /// The floats of the picture drawn last, on the GPU, and how many pixels there are.
+    pub(super) fn picture(&self) -> Option<(&Buffer, u32)> {
+        self.plan.as_ref().map(|p| (&p.picture, p.shape.width * p.shape.height))
     }
 
     /// The surface's normal at every pixel; the same as [`super::super::normals`].

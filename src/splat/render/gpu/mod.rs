@@ -5,6 +5,7 @@
 //! The pictures are those of the CPU renderer, [`super::render`].
 
 mod buffers;
+mod bytes;
 mod cache;
 mod device;
 mod forward;
