@@ -37,7 +37,7 @@ const DOORS: [&str; 24] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 33] = [
+const KEEPERS: [(&str, &str); 36] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -54,6 +54,9 @@ const KEEPERS: [(&str, &str); 33] = [
     ("src/cli/audit/ledger.rs", "a checkpoint to be kept elsewhere"),
     ("src/cli/audit/report.rs", "what a verification found"),
     ("src/cli/audit/timestamp.rs", "a request for a time stamp, and the token beside a record"),
+    ("src/cli/batch/join.rs", "the empty folders that joined stores and their records are published in"),
+    ("src/cli/batch/plan.rs", "a batch's own folder: its plan, how shards ended"),
+    ("src/cli/batch/task.rs", "a batch's own folder: a shard's lock and log"),
     ("src/cli/bench/run.rs", "the empty folders that the runs to be scored publish in, and their end"),
     ("src/cli/geo/manifest.rs", "the empty folder that results of many photos are published in"),
     ("src/memory.rs", "the kernel's counter of this process's memory"),

@@ -27,7 +27,7 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 28] = [
+pub const EVENT_TYPES: [EventType; 29] = [
     event("access.refused", "orb serve refused somebody, so many times in a minute", "attempts are seen"),
     event("account.add", "an account of orb serve was made", "who may do what, and since when"),
     event(
@@ -67,6 +67,7 @@ pub const EVENT_TYPES: [EventType; 28] = [
     event("serve.stop", "orb serve ended", "until when they could"),
     event("session.begin", "an account signed in", "who was there"),
     event("session.end", "an account signed out", "until when"),
+    event("store.join", "orb batch joined what its shards wrote into one store", MADE),
     event(
         "verify.run",
         "orb audit verify, report, export, ledger verify or ledger reconcile gave a verdict",

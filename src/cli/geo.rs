@@ -1,6 +1,6 @@
 //! `orb geo`: one photo becomes a placed, marked, sealed model.
 
-mod manifest;
+pub mod manifest;
 pub mod options;
 mod place;
 pub mod recorded;
@@ -122,6 +122,11 @@ pub struct GeoArgs {
     #[arg(long, value_enum, default_value = "auto")]
     pub symmetry: Symmetry,
 
+    /// The time that files carry, such as 2026-01-31T12:00:00.000Z, in place of now: the same bytes at another time. The record
+    /// says when the run was.
+    #[arg(long, value_name = "UTC", value_parser = utc)]
+    pub as_of: Option<String>,
+
     /// Levels of detail, 1 to 4. A CDB store gets four whatever is said here: its coarsest must have 128 vertices at most.
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
     pub lods: u8,
@@ -233,6 +238,10 @@ pub(super) fn default_output(path: &Path, stem: &str) -> PathBuf {
     PathBuf::from(if path.is_dir() { format!("{stem}_model") } else { stem.to_owned() })
 }
 
+fn utc(text: &str) -> std::result::Result<String, String> {
+    time::parse_utc(text).map(|_| text.to_owned()).ok_or_else(|| "expected a time as 2026-01-31T12:00:00.000Z".into())
+}
+
 fn texture_size(text: &str) -> std::result::Result<u32, String> {
     match text.parse() {
         Ok(size) if [256, 512, 1024, 2048].contains(&size) => Ok(size),
@@ -244,7 +253,7 @@ fn texture_size(text: &str) -> std::result::Result<u32, String> {
 pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     match (&args.tool, &args.manifest) {
         (Some(tool), _) => {
-            crate::cli::write_out(&tools::run(tool, decimal_year(&time::now()?))?);
+            crate::cli::write_out(&tools::run(tool, decimal_year(&time::now()?.utc()))?);
             Ok(0)
         }
         (None, Some(_)) if args.kept.checkpoint.is_some() || args.kept.resume.is_some() => {
@@ -257,8 +266,7 @@ pub fn run(args: &GeoArgs, stop: &AtomicBool) -> Result<u8> {
     }
 }
 
-fn decimal_year(reading: &time::TimeReading) -> f64 {
-    let utc = reading.utc();
+fn decimal_year(utc: &str) -> f64 {
     let part = |range: std::ops::Range<usize>| utc.get(range).and_then(|t| t.parse().ok()).unwrap_or(0);
     magnetic::decimal_year(part(0..4), part(5..7), part(8..10)).unwrap_or(2025.0)
 }
@@ -334,13 +342,14 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
 
     let writing = Instant::now();
     let reading = time::now()?;
-    let placed = place::place(plan.wanted, &photo, &mut done, &fixes, args.seed, decimal_year(&reading))?;
+    let utc = args.as_of.clone().unwrap_or_else(|| reading.utc());
+    let placed = place::place(plan.wanted, &photo, &mut done, &fixes, args.seed, decimal_year(&utc))?;
     let (placement, scale, to_metres) = (&placed.placement, &placed.scale, &placed.to_metres);
     placed.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
     let labels = Labels {
         stem: plan.stem.clone(),
         marking: product.clone(),
-        utc: reading.utc(),
+        utc,
         heading_source: placement.heading_source.label(),
         scale_source: scale.source.label(),
     };

@@ -3,6 +3,7 @@
 pub mod argv;
 pub mod audit;
 mod bar;
+mod batch;
 pub mod bench;
 mod cdb;
 pub mod checkpoint;
@@ -65,6 +66,8 @@ enum Verb {
     Reconstruct(reconstruct::Reconstruct),
     /// Turn a splat or a model into the other formats, placed, marked, sealed.
     Export(Box<export::ExportArgs>),
+    /// Turn many photos into one store, several at once, here or by Slurm.
+    Batch(Box<batch::BatchArgs>),
     /// Look a CDB store over, whoever wrote it.
     Cdb(cdb::CdbArgs),
     /// Draw a splat (PLY) from cameras, on the GPU where there is one.
@@ -103,6 +106,7 @@ pub fn main() -> ExitCode {
     }
     let command = match &cli.verb {
         Verb::Geo(_) => Some("orb geo"),
+        Verb::Batch(_) => Some("orb batch"),
         Verb::Reconstruct(_) => Some("orb reconstruct"),
         Verb::Render(_) => Some("orb render"),
         Verb::Export(_) => Some("orb export"),
@@ -126,6 +130,7 @@ pub fn main() -> ExitCode {
     }
     let done = match cli.verb {
         Verb::Geo(args) => geo::run(&args, &stop),
+        Verb::Batch(args) => batch::run(&args, &stop),
         Verb::Reconstruct(args) => reconstruct::run(&args, &stop),
         Verb::Export(args) => export::run(&args, &stop),
         Verb::Cdb(args) => cdb::run(&args).map(show),
@@ -161,7 +166,6 @@ pub fn main() -> ExitCode {
 ///
 /// # Errors
 /// Usage, with clap's own words.
-#[cfg(feature = "serve")]
 pub(crate) fn geo_args(input: &str, options: &[String]) -> crate::Result<geo::GeoArgs> {
     let line = ["orb", "geo", input].into_iter().chain(options.iter().map(String::as_str));
     match Cli::try_parse_from(line) {

@@ -45,12 +45,7 @@ enum End {
 /// A manifest that cannot be read, an interrupt. Bad lines alone end in exit code 3.
 pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
     let name = path.display().to_string();
-    let size = std::fs::metadata(path).map_err(|e| Error::io(path, &e).advice("Check the manifest's path."))?.len();
-    if size > LARGEST {
-        return Err(Error::usage(&name).expected("a manifest of at most 64 MiB").found(format!("{size} bytes")));
-    }
-    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e).advice("A manifest is UTF-8 text."))?;
-    let lines = parse(&name, &text)?;
+    let (_, lines) = read(path)?;
     let base = path.parent().unwrap_or(Path::new(""));
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(stem));
@@ -109,6 +104,44 @@ pub fn run(args: &GeoArgs, path: &Path, stop: &AtomicBool) -> Result<u8> {
     Ok(if failed.is_empty() { 0 } else { Kind::Incomplete.exit_code() })
 }
 
+/// A manifest's text and its lines.
+///
+/// # Errors
+/// Environment; usage for a file that is too large or no manifest.
+pub fn read(path: &Path) -> Result<(String, Vec<Line>)> {
+    let name = path.display().to_string();
+    let size = std::fs::metadata(path).map_err(|e| Error::io(path, &e).advice("Check the manifest's path."))?.len();
+    if size > LARGEST {
+        return Err(Error::usage(&name).expected("a manifest of at most 64 MiB").found(format!("{size} bytes")));
+    }
+    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e).advice("A manifest is UTF-8 text."))?;
+    let lines = parse(&name, &text)?;
+    Ok((text, lines))
+}
+
+/// Some lines of a manifest as one of their own, each at the number that it had; their photos as seen from anywhere, `base` being
+/// the folder of the manifest that they come of.
+pub fn write(lines: &[&Line], base: &Path) -> String {
+    let row = |cells: &mut dyn Iterator<Item = String>| {
+        let quoted: Vec<String> = cells.map(|c| format!("\"{}\"", c.replace('"', "\"\""))).collect();
+        quoted.join(",") + "\n"
+    };
+    let Some(first) = lines.first() else { return "photo\n".into() };
+    let mut out = row(&mut first.cells.iter().map(|(column, _)| column.clone()));
+    let mut number = 2;
+    for line in lines {
+        let blank = line.number.saturating_sub(number);
+        out.extend(std::iter::repeat_n('\n', blank));
+        let text = row(&mut line.cells.iter().map(|(column, cell)| match column.as_str() {
+            "photo" => base.join(cell).display().to_string(),
+            _ => cell.clone(),
+        }));
+        number = number.max(line.number) + text.matches('\n').count();
+        out += &text;
+    }
+    out
+}
+
 fn one(
     args: &GeoArgs,
     line: &Line,
@@ -124,7 +157,7 @@ fn one(
         own.write.cdb = store.map(Path::to_owned);
         let photo = line.apply(&mut own)?;
         let photo = base.join(photo);
-        let name = line.get("name").map_or_else(|| super::super::format::safe_stem(&photo), str::to_owned);
+        let name = line.name().unwrap_or_default();
         if super::super::format::safe_stem(Path::new(&format!("{name}.x"))) != name {
             return Err(Error::usage("name")
                 .expected("letters, digits, _ and -, 24 at most")
@@ -171,8 +204,8 @@ fn published_line(folder: &Path) -> Option<String> {
 
 /// A line of the manifest, its cells by their columns' names.
 #[derive(Clone, Debug, PartialEq)]
-struct Line {
-    number: usize,
+pub struct Line {
+    pub number: usize,
     cells: Vec<(String, String)>,
     /// More or fewer cells than columns.
     fault: Option<String>,
@@ -181,6 +214,12 @@ struct Line {
 impl Line {
     fn get(&self, column: &str) -> Option<&str> {
         self.cells.iter().find(|(c, v)| c == column && !v.is_empty()).map(|(_, v)| v.as_str())
+    }
+
+    /// Of the model: its own, else the photo's; none without a photo.
+    pub fn name(&self) -> Option<String> {
+        let of_photo = || self.get("photo").map(|p| super::super::format::safe_stem(Path::new(p)));
+        self.get("name").map(str::to_owned).or_else(of_photo)
     }
 
     fn label(&self) -> &str {
@@ -194,7 +233,10 @@ impl Line {
     }
 
     /// Fills the options that the line gives; what it leaves empty stays as on the command line. Returns the photo.
-    fn apply(&self, to: &mut GeoArgs) -> Result<PathBuf> {
+    ///
+    /// # Errors
+    /// Usage: cells without columns, no photo, a cell that is not what its column says.
+    pub fn apply(&self, to: &mut GeoArgs) -> Result<PathBuf> {
         if let Some(fault) = &self.fault {
             return Err(Error::usage("line").expected("a cell for each column").found(fault.clone()));
         }
@@ -323,6 +365,22 @@ mod tests {
         assert_eq!(lines[1].fault.as_deref(), Some("2 cells for 3 columns"));
         assert_eq!((lines[2].number, lines[2].get("heading")), (6, None));
         assert_ne!(lines[0].key(), lines[2].key());
+    }
+
+    #[test]
+    fn lines_keep_their_numbers() {
+        let text = "photo,origin\na.jpg,\"1,2,\n3\"\n# no\nb.jpg,\"say \"\"x\"\"\"\n\n/c.jpg,\n";
+        let lines = parse("m.csv", text).unwrap();
+        let kept: Vec<&Line> = vec![&lines[0], &lines[1], &lines[2]];
+        let again = parse("n.csv", &write(&kept, Path::new("/base"))).unwrap();
+        let told = |l: &Line| (l.number, l.get("photo").map(str::to_owned), l.get("origin").map(str::to_owned));
+        let of = |n, photo: &str, origin: Option<&str>| (n, Some(photo.to_owned()), origin.map(str::to_owned));
+        assert_eq!(told(&again[0]), of(2, "/base/a.jpg", Some("1,2,\n3")));
+        assert_eq!(told(&again[1]), of(5, "/base/b.jpg", Some("say \"x\"")));
+        assert_eq!(told(&again[2]), of(7, "/c.jpg", None));
+        let last = parse("n.csv", &write(&kept[2..], Path::new("/base"))).unwrap();
+        assert_eq!((last.len(), last[0].number), (1, 7));
+        assert_eq!(parse("n.csv", &write(&[], Path::new("/"))).unwrap(), []);
     }
 
     #[test]

@@ -129,7 +129,7 @@ pub struct SizeArgs {
 
 /// The options, judged without the photo.
 pub struct Wanted {
-    pub(super) origin: Option<Written>,
+    pub origin: Option<Written>,
     pub(super) origin_is: Option<OriginIs>,
     pub(super) datum: Option<AltDatum>,
     pub(super) accuracy: Option<f64>,

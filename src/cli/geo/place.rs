@@ -97,6 +97,15 @@ impl Wanted {
         })
     }
 
+    /// About where the model will stand, WGS 84 degrees, and whether that is where the camera stood.
+    ///
+    /// # Errors
+    /// As [`Wanted::check`].
+    pub fn roughly(&self, exif: &Exif) -> Result<(f64, f64, bool)> {
+        let anchor = self.anchor(exif)?;
+        Ok((anchor.latitude, anchor.longitude, anchor.is == OriginIs::Camera))
+    }
+
     /// What can be known before the work: that there is a place, and that the terrain reaches it.
     ///
     /// # Errors

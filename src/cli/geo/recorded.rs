@@ -94,6 +94,7 @@ pub fn params(
         add("texture_mirrored", share(finest.mirrored));
         add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
     }
+    add("files_as_of", args.as_of.clone().map(text));
     add("symmetry", args.symmetry.to_possible_value().map(|v| text(v.get_name().to_owned())));
     let planes = symmetry::used(&done.symmetry).len();
     add("symmetry_applied", Some(Param::Bool(planes > 0)));
