@@ -322,19 +322,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         checks: Arc::new(Semaphore::new(1)),
     });
     runner::recover(&server)?;
-    let runtime = tokio::runtime::Builder::new_current_thread()
-        .enable_all()
-        .max_blocking_threads(WAITING)
-        .build()
-        .map_err(|e| Error::environment("the server").found(e.to_string()))?;
-    let cannot = |e: std::io::Error| {
-        Error::environment(args.bind.to_string())
-            .expected("an address of this machine with a free port")
-            .found(e.to_string())
-            .advice("Choose another with --bind.")
-    };
-    let listener = runtime.block_on(tokio::net::TcpListener::bind(args.bind)).map_err(cannot)?;
-    let bound = listener.local_addr().map_err(cannot)?;
+    let (runtime, listener, bound) = listen::open(args.bind, WAITING, "Choose another with --bind.")?;
     let banner = server.ceiling.banner();
     let mut about = vec![("max_marking", banner.as_str()), ("tls", args.tls.words())];
     if let Some(tls) = &tls {

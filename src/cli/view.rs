@@ -14,6 +14,9 @@ use crate::view::worker::Worker;
 use crate::web::listen;
 use crate::{Error, Result};
 
+/// Threads that wait for the disk: the page has no more to read at a time.
+const WAITING: usize = 1;
+
 /// Look at a scene in a browser, from all sides, and measure in it. Ends with Ctrl-C.
 #[derive(Clone, Debug, clap::Args)]
 pub struct View {
@@ -43,18 +46,8 @@ pub fn run(args: &View, stop: &AtomicBool) -> Result<u8> {
     };
     subject.notes.iter().for_each(|note| say(note));
     let (worker, thread) = Worker::start(Arc::clone(&subject), move || device.open_quietly(&mut |line| say(line)))?;
-    let runtime = tokio::runtime::Builder::new_current_thread()
-        .enable_all()
-        .build()
-        .map_err(|e| Error::environment("the server").found(e.to_string()))?;
-    let cannot = |e: std::io::Error| {
-        Error::environment(args.bind.to_string())
-            .expected("an address of this machine with a free port")
-            .found(e.to_string())
-            .advice("Leave --bind out to take a free port of this machine.")
-    };
-    let listener = runtime.block_on(tokio::net::TcpListener::bind(args.bind)).map_err(cannot)?;
-    let bound = listener.local_addr().map_err(cannot)?;
+    let advice = "Leave --bind out to take a free port of this machine.";
+    let (runtime, listener, bound) = listen::open(args.bind, WAITING, advice)?;
     if !bound.ip().is_loopback() {
         eprintln!(
             "orb: warning: {} can be reached from other machines, and the scene travels there unencrypted",

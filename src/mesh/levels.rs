@@ -1,11 +1,12 @@
 //! All of it in order: volume, surface, levels.
 
 use super::bake::{bake, transfer};
+use super::depth_map::DepthMap;
 use super::detail::{Fine, details};
 use super::distance::{Bvh, farthest, samples};
 use super::extract::extract;
 use super::flatten::{Flattening, flatten};
-use super::fuse::{DepthMap, Volume, fuse};
+use super::fuse::{Volume, fuse};
 use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};

@@ -9,6 +9,7 @@
 pub mod bake;
 pub mod clean;
 pub mod color;
+pub mod depth_map;
 pub mod detail;
 pub mod distance;
 pub mod extract;

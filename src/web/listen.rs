@@ -1,6 +1,7 @@
 //! Connections: few, small, and none that may dawdle.
 
 use std::io;
+use std::net::SocketAddr;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,8 +14,11 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
+use tokio::runtime::Runtime;
 use tokio::sync::Semaphore;
 use tokio::time::{Instant, Sleep, sleep, timeout};
+
+use crate::{Error, Result};
 
 /// Connections at once, for a page of one user's; a browser opens six.
 pub const CONNECTIONS: usize = 64;
@@ -45,6 +49,27 @@ impl Entrance for Plain {
     async fn enter(&self, stream: Patient) -> Option<Patient> {
         Some(stream)
     }
+}
+
+/// Takes a port: what runs the answers (on this thread, with `blocking` more that wait for the disk), what listens, and
+/// where, if `address` asked for any free port.
+///
+/// Errors: `Environment`, with `advice`, when the address is not this machine's or the port is taken.
+pub fn open(address: SocketAddr, blocking: usize, advice: &str) -> Result<(Runtime, TcpListener, SocketAddr)> {
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .max_blocking_threads(blocking)
+        .build()
+        .map_err(|e| Error::environment("the server").found(e.to_string()))?;
+    let cannot = |e: io::Error| {
+        Error::environment(address.to_string())
+            .expected("an address of this machine with a free port")
+            .found(e.to_string())
+            .advice(advice)
+    };
+    let listener = runtime.block_on(TcpListener::bind(address)).map_err(cannot)?;
+    let bound = listener.local_addr().map_err(cannot)?;
+    Ok((runtime, listener, bound))
 }
 
 /// Answers at most `connections` at once, until `stop` is set.
