@@ -129,35 +129,48 @@ pub(super) struct Field {
 }
 
 impl Field {
-    const N: usize = 60;
+    const N: usize = 80;
     const HALF: f32 = 1.5;
     /// Beyond this all is equally far.
     pub const FAR: f32 = 0.3;
 
+    /// Each cell takes over the nearest point of the neighbours that were swept before it (Danielsson 1980).
     pub fn new(points: &[Vec3]) -> Self {
+        const NONE: u32 = u32::MAX;
         let n = Self::N;
-        let cell = 2.0 * Self::HALF / n as f32;
-        let mut cells = vec![Self::FAR; n * n * n];
-        for &p in points {
+        let size = 2.0 * Self::HALF / n as f32;
+        let centre = |at: [usize; 3]| Vec3::from_array(at.map(|v| (v as f32 + 0.5) * size - Self::HALF));
+        let index = |at: [usize; 3]| (at[2] * n + at[1]) * n + at[0];
+        let away = |nearest: u32, at: [usize; 3]| match points.get(nearest as usize) {
+            Some(p) => p.distance_squared(centre(at)),
+            None => f32::INFINITY,
+        };
+        let mut nearest = vec![NONE; n * n * n];
+        for (k, &p) in points.iter().enumerate() {
             let at = Self::place(p).map(|v| (v.max(0.0) as usize).min(n - 1));
-            cells[(at[2] * n + at[1]) * n + at[0]] = 0.0;
+            if away(k as u32, at) < away(nearest[index(at)], at) {
+                nearest[index(at)] = k as u32;
+            }
         }
         // Steps to the 13 neighbours that a sweep has passed already.
         let before: Vec<[isize; 3]> = (0..13).map(|k: isize| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]).collect();
         let mut sweep = |i: usize, sign: isize| {
-            let at = [i % n, i / n % n, i / (n * n)].map(|v| v as isize);
+            let at = [i % n, i / n % n, i / (n * n)];
+            let mut least = away(nearest[i], at);
             for step in &before {
-                let to: [isize; 3] = std::array::from_fn(|k| at[k] + sign * step[k]);
-                if to.iter().all(|v| *v >= 0 && *v < n as isize) {
-                    let length = cell * (step.iter().map(|s| s * s).sum::<isize>() as f32).sqrt();
-                    let j = (to[2] as usize * n + to[1] as usize) * n + to[0] as usize;
-                    cells[i] = cells[i].min(cells[j] + length);
+                let to: [usize; 3] = std::array::from_fn(|k| at[k].wrapping_add_signed(sign * step[k]));
+                let other = if to.iter().all(|v| *v < n) { nearest[index(to)] } else { NONE };
+                if other != NONE && other != nearest[i] && away(other, at) < least {
+                    (nearest[i], least) = (other, away(other, at));
                 }
             }
         };
-        (0..n * n * n).for_each(|i| sweep(i, 1));
-        (0..n * n * n).rev().for_each(|i| sweep(i, -1));
-        Field { cells }
+        for _ in 0..2 {
+            (0..n * n * n).for_each(|i| sweep(i, 1));
+            (0..n * n * n).rev().for_each(|i| sweep(i, -1));
+        }
+        let at = |i: usize| [i % n, i / n % n, i / (n * n)];
+        Field { cells: (0..n * n * n).map(|i| away(nearest[i], at(i)).sqrt().min(Self::FAR)).collect() }
     }
 
     fn place(p: Vec3) -> [f32; 3] {

@@ -30,7 +30,13 @@ impl Fit {
     /// 0 where there is nothing to say: shape and contradictions raise it, colours that are alike lower it.
     fn misfit(&self) -> f32 {
         let color = (self.color - 1.0) * (self.pairs / 0.15).min(1.0);
-        self.shape / 0.1 + 2.0 * self.contradicted + 0.7 * color
+        self.askew() + 0.7 * color
+    }
+
+    /// How badly the shape meets itself, colours aside. On ribs, bricks and windows colours are alike at many places, and on
+    /// a plain wall everywhere; where exactly a plane lies, the shape knows better.
+    fn askew(&self) -> f32 {
+        self.shape / 0.1 + 2.0 * self.contradicted
     }
 
     /// What is minimised: of planes that fit alike, the one that gives more of the unseen side.
@@ -104,9 +110,11 @@ fn best(evidence: &Evidence, variation: f32) -> Option<Fit> {
             break;
         }
     }
-    let refined: Vec<_> = best.into_iter().map(|start| closer(start, &score)).collect();
-    let best = refined.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(score(best.1, best.2))
+    let refined: Vec<_> = best.into_iter().map(|start| closer(start, &|h, o| score(h, o).cost())).collect();
+    let (_, heading, offset) = refined.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let start = (score(heading, offset).askew(), heading, offset);
+    let (_, heading, offset) = closer(start, &|h, o| score(h, o).askew());
+    Some(score(heading, offset))
 }
 
 /// The best at right angles to `first`: how far off the middle is all there is to find.
@@ -115,16 +123,16 @@ fn across(evidence: &Evidence, variation: f32, first: &Plane) -> Option<Fit> {
     (-90..=90)
         .into_par_iter()
         .map(|k| judge(evidence, variation, plane(evidence, heading, k as f32 * 0.005)))
-        .min_by(|a, b| a.misfit().total_cmp(&b.misfit()))
+        .min_by(|a, b| a.askew().total_cmp(&b.askew()))
 }
 
 /// Steps of heading and offset, halved when none helps.
-fn closer(mut at: (f32, f32, f32), score: &impl Fn(f32, f32) -> Fit) -> (f32, f32, f32) {
+fn closer(mut at: (f32, f32, f32), cost: &impl Fn(f32, f32) -> f32) -> (f32, f32, f32) {
     let (mut turn, mut shift) = (1.5, 0.015);
     for _ in 0..24 {
         let tries = [(turn, 0.0), (-turn, 0.0), (0.0, shift), (0.0, -shift)];
         let next = tries
-            .map(|(t, s)| (score(at.1 + t, at.2 + s).cost(), at.1 + t, at.2 + s))
+            .map(|(t, s)| (cost(at.1 + t, at.2 + s), at.1 + t, at.2 + s))
             .into_iter()
             .min_by(|a, b| a.0.total_cmp(&b.0));
         match next {
