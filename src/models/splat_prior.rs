@@ -22,6 +22,10 @@ pub const FILL: f32 = 0.88;
 pub const DISTANCE: f32 = 3.9;
 /// Field of view, radians.
 pub const FOV: f32 = std::f32::consts::PI / 6.0;
+/// Standard deviation of what the pictures that the network learned by blurred each Gaussian with: √0.3 pixels (Kerbl et al.
+/// 2023) of their 128 pixels over [`FOV`], at [`DISTANCE`]. Between smaller Gaussians, whole in those pictures, finer ones have
+/// gaps: so they are taken as they were seen.
+const BLUR: f32 = 0.5477 * 2.0 * DISTANCE * 0.267_949 / SIZE as f32;
 /// The crop is handed on at no more than this.
 const LARGEST_CROP: usize = 512;
 
@@ -165,7 +169,7 @@ impl Canonical {
             }
             let opacity = opacity.min(0.999);
             g.positions.push(triple(&self.position, i));
-            g.log_scales.push(triple(&self.scale, i).max(Vec3::splat(1e-6)).map(f32::ln));
+            g.log_scales.push(triple(&self.scale, i).map(|s| s.hypot(BLUR).ln()));
             let q = &self.rotation[4 * i..4 * i + 4];
             g.rotations.push([q[0], q[1], q[2], q[3]]);
             g.logit_opacities.push((opacity / (1.0 - opacity)).ln());
@@ -237,7 +241,8 @@ mod tests {
         let long = glam::Quat::from_xyzw(x, y, z, w) * Vec3::X;
         let down = canonical_camera(e, 8).rotation.transpose() * Vec3::Y;
         assert!((long - down).length() < 1e-5, "{long} {down}");
-        assert!((g.log_scales[0] - Vec3::new(0.1, 0.02, 0.03).map(f32::ln)).length() < 1e-5);
+        assert!((g.log_scales[0] - Vec3::new(0.1, 0.02, 0.03).map(|s| s.hypot(BLUR).ln())).length() < 1e-5);
+        assert!((BLUR - 0.3f32.sqrt() * 2.0 * DISTANCE * (FOV / 2.0).tan() / SIZE as f32).abs() < 1e-6);
     }
 
     #[test]
