@@ -95,16 +95,17 @@ class Adversary:
         loss = MATCHING * apart - patches.float().mean() - whole.float().mean()
         return torch.autograd.grad(loss, asked)[0]
 
-    def heeded(self, answer, truth, crop, loss):
+    def heeded(self, answer, truth, crop, loss, dressed):
         """A term to add to `loss`, and how often the critic is right. answer, truth: [B, V, 4, S, S]; crop: [B, 4, S, S].
 
         The term's slope at the views is the critic's demand, as long as `share` of the slope of `loss`. Only views after
-        the first count: the first is the photo's own.
+        the first count: the first is the photo's own; and not the first `dressed` subjects, whose crops wear textures that the
+        true views lack.
         """
-        own = torch.autograd.grad(loss, answer, retain_graph=True)[0][:, 1:]
+        own = torch.autograd.grad(loss, answer, retain_graph=True)[0][dressed:, 1:]
         views = answer.shape[1] - 1
-        made, true = answer[:, 1:].flatten(0, 1), truth[:, 1:].flatten(0, 1)
-        beside = crop.repeat_interleave(views, 0)
+        made, true = answer[dressed:, 1:].flatten(0, 1), truth[dressed:, 1:].flatten(0, 1)
+        beside = crop[dressed:].repeat_interleave(views, 0)
         demand = self.demand(made, true, beside)
         demand = demand * (self.share * own.norm() / demand.norm().clamp(min=1e-12))
         return (made * demand).sum(), self.turn(made, true, beside)

@@ -107,6 +107,8 @@ def mask_iou(logits, alpha):
 
 # Of the errors of SplatNet's camera: size, middle, nearness.
 CAMERA_WEIGHTS = (0.3, 0.3, 0.3, 0.05)
+# Pixels of the squares whose mean colour a texture leaves as it is, about.
+PATCH = 8
 
 
 def splat_step(net, pool, n, heed=None):
@@ -117,7 +119,7 @@ def splat_step(net, pool, n, heed=None):
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
         splats = net(batch.rgba)
-    colour, alpha = render(splats | brought_home(splats, batch), batch.views, batch.alpha.shape[-1])
+    colour, alpha = render(splats | brought_home(splats, batch), batch.views, batch.lenses, batch.alpha.shape[-1])
     background = torch.rand(*batch.colour.shape[:3], 1, 1, device=colour.device)
     made = torch.cat([colour + (1 - alpha) * background, alpha], 2)
     answer, alpha = made[:, :, :3], made[:, :, 3:]
@@ -125,10 +127,11 @@ def splat_step(net, pool, n, heed=None):
 
     weight = (~batch.empty).float()[:, None, None, None, None]
     error = answer - truth
-    colour_loss = (weight * (error.abs() * 0.8 + error * error)).mean()
+    coarse = loosened(error, batch.dressed)
+    colour_loss = (weight * (coarse.abs() * 0.8 + coarse * coarse)).mean()
     uncovered = weight * (alpha - batch.alpha)
     alpha_loss = (uncovered**2).mean() + 0.3 * uncovered.abs().mean()
-    edge_loss = sum(gradients(pooled(error, step)) for step in (1, 2, 4))
+    edge_loss = sum(gradients(pooled(coarse, step)) for step in (1, 2, 4))
     depth_loss = front_depth_loss(splats["depth"], batch)
     elevation_loss, off = elevation_losses(splats["elevation"], batch.elevation)
     camera_loss = F.smooth_l1_loss(splats["camera"], batch.camera, beta=0.03, reduction="none")
@@ -143,7 +146,7 @@ def splat_step(net, pool, n, heed=None):
         "el_deg": off,
     }
     if heed:
-        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), batch.rgba, loss)
+        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), batch.rgba, loss, batch.dressed)
         loss = loss + asked
     columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
@@ -182,13 +185,16 @@ def brought_home(splats, batch):
     }
 
 
-def render(splats, views, size):
-    """Splat into views [n, V, 4, 4] of SplatNet's field of view: colour [n, V, 3, S, S], alpha [n, V, 1, S, S]."""
+def render(splats, views, lenses, size):
+    """Splat into views [n, V, 4, 4] with lenses [n, V, 3] (focal length, middle): colour [n, V, 3, S, S], alpha [n, V, 1, S, S].
+
+    Gaussians smaller than a pixel count by what they cover ("antialiased"), not by what the blur makes of them.
+    """
     from gsplat import rasterization
 
-    n, count = views.shape[:2]
-    focal = size / 2 / math.tan(SplatNet.FOV / 2)
-    intrinsics = fixed(((focal, 0, size / 2), (0, focal, size / 2), (0, 0, 1)), views.device)
+    focal, across, down = lenses.unbind(-1)
+    zero, one = torch.zeros_like(focal), torch.ones_like(focal)
+    rows = [torch.stack(row, -1) for row in ((focal, zero, across), (zero, focal, down), (zero, zero, one))]
     colour, alpha, _ = rasterization(
         splats["pos"],
         splats["quat"],
@@ -196,13 +202,20 @@ def render(splats, views, size):
         splats["opacity"],
         splats["rgb"],
         views,
-        intrinsics.expand(n, count, 3, 3),
+        torch.stack(rows, -2),
         size,
         size,
         packed=False,
         near_plane=0.1,
+        rasterize_mode="antialiased",
     )
     return colour.permute(0, 1, 4, 2, 3), alpha.permute(0, 1, 4, 2, 3)
+
+
+def loosened(error, dressed):
+    """Colour errors [n, V, 3, S, S] of which the first `dressed` are means over squares of `PATCH` pixels."""
+    squares = F.interpolate(pooled(error[:dressed], PATCH), scale_factor=float(PATCH))
+    return torch.cat([squares.reshape(error[:dressed].shape), error[dressed:]])
 
 
 def pooled(x, step):

@@ -92,7 +92,7 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
     pool = make_pool(0, 64, 2, "cpu", textures=8)
     scenes = scene_batch(pool, 8, size=64)
     subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
-    assert all(torch.isfinite(t).all() for t in (*scenes, *subjects))
+    assert all(torch.isfinite(torch.as_tensor(t)).all() for t in (*scenes, *subjects))
     # A pixel is the subject's or in a shadow, not both at once.
     assert scenes.shade.max() > 0.5
     assert (scenes.shade + scenes.alpha).max() < 1 + 1e-4

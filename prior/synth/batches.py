@@ -42,6 +42,8 @@ from .objects import COMPANIONS, make_object
 from .raycast import cast
 from .textures import make_bank, textured
 
+# Of SplatNet's crops one in so many wears a texture: photographs are never as plain as primitives.
+DRESSED = 3
 # Objects that may stand around the subject of a photo.
 DISTRACTORS = 5
 GREY = 0.5
@@ -304,19 +306,23 @@ class SplatBatch(NamedTuple):
     """What SplatNet sees and what it should have answered.
 
     rgba [n, 4, S, S]: subject on grey and mask. views [n, V, 4, 4]: from the canonical camera's frame to each truth
-    view; the first one is the canonical camera itself. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
+    view; the first one is the canonical camera itself. lenses [n, V, 3]: focal length and middle of each view's picture,
+    pixels. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
     [n, V, 1, S, S]. front [n, S, S]: canonical depth of what the crop shows, 0 where that is nothing. camera [n, 4] of
-    the crop, as `nets.crop_rays` reads it. elevation [n] in radians. empty [n]: the crop shows nothing.
+    the crop, as `nets.crop_rays` reads it. elevation [n] in radians. empty [n]: the crop shows nothing. The first `dressed`
+    crops wear textures that the truth's views do not have: of their colours only the large patches can be compared.
     """
 
     rgba: torch.Tensor
     views: torch.Tensor
+    lenses: torch.Tensor
     colour: torch.Tensor
     alpha: torch.Tensor
     front: torch.Tensor
     camera: torch.Tensor
     elevation: torch.Tensor
     empty: torch.Tensor
+    dressed: int
 
 
 def splat_batch(pool, n, fov, distance, size=128, views=4):
@@ -351,6 +357,8 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
     # Its colours stay: the answer is to look like the photo.
     photo = composed(rgb, alpha, backdrop.clamp(0, 1))
+    dressed = n // DRESSED
+    photo[:dressed] = textured(photo[:dressed], alpha[:dressed, 0], front[:dressed], pool.textures)
     photo, mask = leaked(photo, mask, alpha, leaky)
     photo = stored(photo)
     rgba = torch.cat([photo * mask + GREY * (1 - mask), mask], 1)
@@ -359,18 +367,21 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     rotation, translation = truth_cameras(azimuth, elevation, distance, views)
     truth_fov = torch.full((n * views,), fov, device=device)
     cameras = pack(rotation.reshape(-1, 3, 3), translation.reshape(-1, 3), truth_fov, size, subject_only=True)
+    closer(cameras, size, views)
     rgb, truth_alpha, _, _ = cast(prims, counts, each.repeat_interleave(views), cameras, surroundings, size, 2)
     rgb = rgb.reshape(n, views, 3, size, size)
     truth_alpha = truth_alpha.reshape(n, views, 1, size, size)
     return SplatBatch(
         rgba=rgba,
         views=matrices(rotation, translation) @ inverses(*canonical)[:, None],
+        lenses=cameras[:, [FOCAL.start, CENTRE_X, CENTRE_Y]].reshape(n, views, 3),
         colour=premultiplied(rgb, truth_alpha),
         alpha=truth_alpha,
         front=front,
         camera=camera,
         elevation=elevation,
         empty=empty,
+        dressed=dressed,
     )
 
 
@@ -430,6 +441,19 @@ def truth_cameras(azimuth, elevation, distance, views):
     above = [elevation] + [uniform(azimuth, -0.25, 1.0) for _ in range(views - 1)]
     around = torch.stack(around, 1)
     return look_at(orbit(around, torch.stack(above, 1), torch.full_like(around, distance)))
+
+
+def closer(cameras, size, views):
+    """Half of all views but the last of each subject show a part of it, twice as large: cameras [n * V, 20] change in place.
+
+    A picture of `size` pixels shows nothing finer than its pixels: Gaussians between which a larger picture has gaps look
+    whole in it.
+    """
+    chosen = uniform(cameras, 0, 1) < 0.5
+    chosen[views - 1 :: views] = False
+    twice = torch.where(chosen, 2.0, 1.0)
+    cameras[:, FOCAL] *= twice[:, None]
+    cameras[:, [CENTRE_X, CENTRE_Y]] += (torch.rand(len(cameras), 2, device=cameras.device) - 0.5) * 0.7 * size * (twice - 1)[:, None]
 
 
 def composed(rgb, alpha, backdrop):
