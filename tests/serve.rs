@@ -134,6 +134,67 @@ fn a_job_from_a_browser() {
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 
+/// Six photos with the poses that COLMAP gave them and the places that their receivers wrote: one model, placed by all of them.
+#[test]
+fn several_photos_with_their_poses() {
+    let folder = tempfile::tempdir().unwrap();
+    let (data, sets) = (folder.path().join("data"), folder.path().join("sets"));
+    let token = account(&data, "jane", "operator");
+    let made = orb(&data)
+        .args(["bench", "make", "--scenes", "2", "--photos", "6", "--size", "256", "--quiet", "-o"])
+        .arg(&sets)
+        .output()
+        .unwrap();
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let served = Served::start(&data, "127.0.0.1:0");
+    let mut body = b"--X\r\nContent-Disposition: form-data; name=\"quality\"\r\n\r\ndraft\r\n".to_vec();
+    let mut files = 0;
+    for (field, from) in [("photo", "01_van/photos"), ("poses", "01_van/sparse/0")] {
+        for entry in std::fs::read_dir(sets.join(from)).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_str().unwrap();
+            let head = format!("--X\r\nContent-Disposition: form-data; name=\"{field}\"; filename=\"{name}\"\r\n\r\n");
+            body.extend([head.as_bytes(), &std::fs::read(&path).unwrap(), b"\r\n"].concat());
+            files += 1;
+        }
+    }
+    body.extend(b"--X--\r\n");
+    let head = format!(
+        "POST /api/v1/jobs HTTP/1.0\r\nHost: {}\r\nAuthorization: Bearer {token}\r\n\
+         Content-Type: multipart/form-data; boundary=X\r\nContent-Length: {}\r\n\r\n",
+        served.host,
+        body.len()
+    );
+    let (head, answer) = served.send(&[head.into_bytes(), body].concat());
+    assert!(head.contains(" 201 "), "{head}{}", String::from_utf8_lossy(&answer));
+    let job: Value = serde_json::from_slice(&answer).unwrap();
+    let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
+    let begun = Instant::now();
+    let ended = loop {
+        let job = served.json("GET", &at, &token);
+        if !["queued", "running"].contains(&job["state"].as_str().unwrap()) {
+            break job;
+        }
+        assert!(begun.elapsed() < WORK, "{job}");
+        std::thread::sleep(Duration::from_millis(200));
+    };
+    assert_eq!(ended["state"], "done", "{ended}");
+    // Every file that was sent is an input of the record, and is still what it says.
+    let verdict = served.json("POST", &format!("{at}/verify"), &token);
+    assert_eq!(
+        (&verdict["verdict"], &verdict["counts"]["inputs_verified"]),
+        (&"pass".into(), &files.into()),
+        "{verdict}"
+    );
+    let truth: Value = serde_json::from_slice(&std::fs::read(sets.join("01_van/truth/cameras.json")).unwrap()).unwrap();
+    let places = served.json("GET", "/api/v1/geocells", &token);
+    let stands = &places["geocells"][0]["models"][0];
+    for name in ["latitude", "longitude"] {
+        let off = stands[name].as_f64().unwrap() - truth[name].as_f64().unwrap();
+        assert!(off.abs() < 1e-4, "{name}: {off}");
+    }
+}
+
 /// A thousand jobs wait, a hundred clients ask how far theirs is: answers stay quick, memory flat, nothing is lost.
 #[cfg(target_os = "linux")]
 #[test]

@@ -342,7 +342,11 @@ function cellMap(cell) {
 
 function cellPart(cell) {
   const item = (m) => {
-    const button = Object.assign(document.createElement("button"), { type: "button", onclick: () => show(m.id) });
+    const look = () => {
+      show(m.id);
+      $("job").scrollIntoView();
+    };
+    const button = Object.assign(document.createElement("button"), { type: "button", onclick: look });
     const about = Object.assign(document.createElement("span"), { className: "soft", textContent: ` ${m.latitude.toFixed(5)}, ${m.longitude.toFixed(5)}, heading ${Math.round(m.heading)}° · ${m.marking}` });
     button.append(`${m.number}. ${m.name ?? "model"}`, about);
     const li = document.createElement("li");
