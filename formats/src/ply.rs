@@ -6,11 +6,13 @@
 
 mod compressed;
 mod header;
+mod points;
 mod values;
 
 pub use crate::Splats;
 use crate::{Error, Result};
 use header::{Element, Header};
+pub use points::{Point, points};
 use values::Source;
 
 const FORMAT: &str = "PLY";

@@ -6,6 +6,7 @@
 pub mod colmap;
 pub mod control;
 pub mod crops;
+pub mod dataset;
 pub mod frame;
 pub mod poses;
 pub mod register;

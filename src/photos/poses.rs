@@ -86,13 +86,7 @@ pub fn photos_in(folder: &Path) -> Result<Vec<PathBuf>> {
 pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
     let photos = photos_in(folder)?;
     let Some(found) = (match given {
-        Some(path) => Some(place(path, true)?.ok_or_else(|| {
-            Error::usage(path.display().to_string())
-                .expected(
-                    "a COLMAP model (cameras, images, points3D; .bin or .txt), a folder of them, or transforms.json",
-                )
-                .found("none of them")
-        })?),
+        Some(path) => Some(named(path)?),
         None => {
             let beside = photos[0].parent().filter(|p| *p != folder).map(Path::to_path_buf);
             let above = folder.canonicalize().ok().and_then(|p| p.parent().map(Path::to_path_buf));
@@ -115,7 +109,17 @@ pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
     read.matched(&photos).map(Some)
 }
 
-enum Place {
+/// What the user names.
+pub(super) fn named(path: &Path) -> Result<Place> {
+    place(path, true)?.ok_or_else(|| {
+        Error::usage(path.display().to_string())
+            .expected("a COLMAP model (cameras, images, points3D; .bin or .txt), a folder of them, or transforms.json")
+            .found("none of them")
+    })
+}
+
+/// Where poses stand.
+pub(super) enum Place {
     Model(PathBuf),
     List(PathBuf),
 }
@@ -126,7 +130,7 @@ fn is_model(folder: &Path) -> bool {
 
 /// A model, the largest of several, or a list, in this order. `named`: by the user, so that its own folders may be models; beside
 /// photos lie other things too.
-fn place(path: &Path, named: bool) -> Result<Option<Place>> {
+pub(super) fn place(path: &Path, named: bool) -> Result<Option<Place>> {
     if path.is_file() {
         return Ok(Some(Place::List(path.to_owned())));
     }
@@ -206,7 +210,7 @@ fn of_list(list: &Path) -> Result<Poses> {
 
 impl Poses {
     /// Those whose photo is there, by the name's last part, without its ending where that alone fits.
-    fn matched(mut self, photos: &[PathBuf]) -> Result<Poses> {
+    pub(super) fn matched(mut self, photos: &[PathBuf]) -> Result<Poses> {
         let last = |p: &Path| p.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = |p: &Path| p.file_stem().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let by_name: BTreeMap<String, &PathBuf> = photos.iter().map(|p| (last(p), p)).collect();
@@ -237,17 +241,19 @@ impl Poses {
         if matched < posed {
             self.notes.push(format!("{} of {posed} poses have no photo", posed - matched));
         }
-        let bent: Vec<&str> = {
-            let mut all: Vec<&str> =
-                self.photos.iter().filter(|p| !p.camera.lens.is_pinhole()).map(|p| p.camera.lens.name()).collect();
-            all.sort_unstable();
-            all.dedup();
-            all
-        };
+        self.note_lenses();
+        Ok(self)
+    }
+
+    /// Says which lenses are straightened.
+    pub(super) fn note_lenses(&mut self) {
+        let mut bent: Vec<&str> =
+            self.photos.iter().filter(|p| !p.camera.lens.is_pinhole()).map(|p| p.camera.lens.name()).collect();
+        bent.sort_unstable();
+        bent.dedup();
         if !bent.is_empty() {
             self.notes.push(format!("lens distortion is taken out of the photos ({})", bent.join(", ")));
         }
-        Ok(self)
     }
 }
 

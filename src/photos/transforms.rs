@@ -46,6 +46,8 @@ struct List {
     #[serde(flatten)]
     inside: Inside,
     frames: Vec<Frame>,
+    /// Nerfstudio's: points, beside the list.
+    ply_file_path: Option<PathBuf>,
 }
 
 #[derive(Deserialize)]
@@ -57,21 +59,42 @@ struct Frame {
     transform_matrix: Vec<[f64; 4]>,
 }
 
+/// The points that a list names, in its own world; none where it names none.
+///
+/// # Errors
+/// Usage, naming the file, for a list or points that cannot be read.
+pub fn points(list: &Path) -> Result<Option<(PathBuf, Vec<orb_formats::ply::Point>)>> {
+    let Some(named) = parsed(list)?.ply_file_path else { return Ok(None) };
+    let file = list.parent().unwrap_or(Path::new(".")).join(named);
+    let bytes = std::fs::read(&file).map_err(|e| Error::io(&file, &e).advice("The list names it: ply_file_path."))?;
+    let wrong =
+        |e: orb_formats::Error| Error::usage(file.display().to_string()).expected("points").found(e.to_string());
+    let points = orb_formats::ply::points(&bytes).map_err(wrong)?;
+    Ok(Some((file, points)))
+}
+
 /// Reads a list. The pictures' sizes are looked up where it does not say them.
 ///
 /// # Errors
 /// Usage, naming the list and the frame, for one that cannot be read or has a camera that is none.
 pub fn read(list: &Path) -> Result<Vec<Listed>> {
-    let bytes = std::fs::read(list).map_err(|e| Error::io(list, &e))?;
     let wrong =
         |expected: &str, found: String| Error::usage(list.display().to_string()).expected(expected).found(found);
-    let read: List = serde_json::from_slice(&bytes)
-        .map_err(|e| wrong("frames with a file_path and a transform_matrix as NeRF writes them", e.to_string()))?;
+    let read = parsed(list)?;
     if read.frames.is_empty() {
         return Err(wrong("frames", "none".into()));
     }
     let folder = list.parent().unwrap_or(Path::new("."));
     read.frames.iter().map(|f| listed(f, &read, folder, &wrong)).collect()
+}
+
+fn parsed(list: &Path) -> Result<List> {
+    let bytes = std::fs::read(list).map_err(|e| Error::io(list, &e))?;
+    serde_json::from_slice(&bytes).map_err(|e| {
+        Error::usage(list.display().to_string())
+            .expected("frames with a file_path and a transform_matrix as NeRF writes them")
+            .found(e.to_string())
+    })
 }
 
 fn listed(f: &Frame, list: &List, folder: &Path, wrong: &dyn Fn(&str, String) -> Error) -> Result<Listed> {
