@@ -3,6 +3,7 @@
 
 mod parts;
 pub mod photos;
+pub mod site;
 mod surroundings;
 mod things;
 

@@ -45,12 +45,7 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
     let (low, high) = mesh.bounds();
     let middle = (low + high) / 2.0;
     let radius = low.distance(high) / 2.0;
-    // COLMAP's world: another scale, turned and moved.
-    let to_world = Similarity {
-        scale: 0.37,
-        rotation: DQuat::from_euler(glam::EulerRot::XYZ, 1.9, 0.3, -0.7),
-        translation: DVec3::new(1.5, -0.4, 3.0),
-    };
+    let to_world = written_world();
     let (mut files, mut listed, mut lines) = (Vec::new(), Vec::new(), Vec::new());
     let mut put = |path: String, bytes: Vec<u8>, media_type| {
         files.push(File { path: format!("{name}/{path}"), bytes, media_type })
@@ -77,13 +72,8 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
             north: -at.x * sin + at.y * cos + noise(&mut random, n),
             up: at.z + noise(&mut random, 2.0 * n),
         });
-        let mut bytes = Vec::new();
-        let mut encoder = PngEncoder::new(&mut bytes);
         let failed = |e: String| Error::environment("PNG").found(e);
-        encoder.set_exif_metadata(tags(seen, n, camera.fx, options.width)?).map_err(|e| failed(e.to_string()))?;
-        encoder
-            .write_image(picture.as_raw(), camera.width, camera.height, image::ExtendedColorType::Rgb8)
-            .map_err(|e| failed(e.to_string()))?;
+        let bytes = png(&picture, tags(seen, n, camera.fx, options.width)?)?;
         put(format!("photos/{k:02}.png"), inband::mark_png(&bytes, marking), "image/png");
         let mut bytes = std::io::Cursor::new(Vec::new());
         mask(&cut).write_to(&mut bytes, image::ImageFormat::Png).map_err(|e| failed(e.to_string()))?;
@@ -128,8 +118,29 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
     Ok((name, files))
 }
 
+/// COLMAP's world: another scale, turned and moved.
+pub(super) fn written_world() -> Similarity {
+    Similarity {
+        scale: 0.37,
+        rotation: DQuat::from_euler(glam::EulerRot::XYZ, 1.9, 0.3, -0.7),
+        translation: DVec3::new(1.5, -0.4, 3.0),
+    }
+}
+
+/// A photo with what its camera says of itself.
+pub(super) fn png(picture: &image::RgbImage, tags: Vec<u8>) -> Result<Vec<u8>> {
+    let failed = |e: String| Error::environment("PNG").found(e);
+    let mut bytes = Vec::new();
+    let mut encoder = PngEncoder::new(&mut bytes);
+    encoder.set_exif_metadata(tags).map_err(|e| failed(e.to_string()))?;
+    encoder
+        .write_image(picture.as_raw(), picture.width(), picture.height(), image::ExtendedColorType::Rgb8)
+        .map_err(|e| failed(e.to_string()))?;
+    Ok(bytes)
+}
+
 /// EXIF: the camera's place above the ellipsoid, what it is known to, and the focal length.
-fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<Vec<u8>> {
+pub(super) fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<Vec<u8>> {
     let rational = |v: f64, per: u32| Rational { num: (v * f64::from(per)).round() as u32, denom: per };
     let angle = |v: f64| {
         let v = v.abs();
@@ -159,6 +170,6 @@ fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<Vec<u8>> {
 }
 
 /// The ground's, that features be found on it.
-const GRAIN: f32 = 0.7;
+pub(super) const GRAIN: f32 = 0.7;
 /// Of a 36 × 24 mm frame, millimetres.
 const DIAGONAL_35MM: f64 = 43.266_615;

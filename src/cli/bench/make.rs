@@ -42,6 +42,18 @@ pub struct Make {
     /// Leave COLMAP's model out.
     #[arg(long, requires = "photos")]
     pub no_poses: bool,
+    /// With --photos: whole places to train scenes on, with COLMAP's model and its points, in place of one thing each.
+    #[arg(long, requires = "photos", conflicts_with_all = ["no_poses", "nerf"])]
+    pub site: bool,
+    /// With --photos: one thing each, with alpha, in the layout of NeRF's synthetic sets.
+    #[arg(long, requires = "photos", conflicts_with = "no_poses")]
+    pub nerf: bool,
+    /// With --site: how much the photos' brightness differs, a standard deviation of its natural logarithm.
+    #[arg(long, value_name = "SIGMA", default_value_t = 0.0, requires = "site")]
+    pub exposure_drift: f32,
+    /// With --site: a van that stands elsewhere in each photo, and masks of it.
+    #[arg(long, requires = "site")]
+    pub moving: bool,
     #[command(flatten)]
     pub publish: PublishArgs,
 }
@@ -61,6 +73,18 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
         bar.check()?;
         let files = match args.photos {
             None => make::scene(i, &options, &marking)?.1,
+            Some(count) if args.site || args.nerf => {
+                let whole = make::site::Options {
+                    seed: args.seed,
+                    count: count as usize,
+                    width: args.size,
+                    gps_noise: args.gps_noise.clamp(0.0, 1000.0),
+                    exposure_drift: args.exposure_drift.clamp(0.0, 1.0),
+                    moving: args.moving,
+                    nerf: args.nerf,
+                };
+                make::site::set(i, &whole, &marking)?.1
+            }
             Some(count) => {
                 let several = make::photos::Options {
                     seed: args.seed,
