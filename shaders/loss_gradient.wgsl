@@ -2,6 +2,7 @@
 //
 // L = a Σ|x − y| + b Σ SSIM (b < 0). With W the window, ∂ΣSSIM/∂x = W∂μ + 2x W∂q + y W∂r, from ssim.wgsl's planes.
 // Out: ∂L/∂(Σ w rgb) and, x being Σ w rgb + T·background, ∂L/∂T = Σ_c background_c ∂L/∂x_c.
+// Under an exposure the loss sees x' = M x + b: with v = ∂L/∂x', ∂L/∂x = Mᵀ v, ∂L/∂M = Σ v xᵀ, ∂L/∂b = Σ v.
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> now: Step;
@@ -9,6 +10,9 @@
 @group(0) @binding(3) var<storage, read> wanted: array<vec4<f32>>;
 @group(0) @binding(4) var<storage, read> partials: array<f32>;
 @group(0) @binding(5) var<storage, read_write> pulls: array<vec4<f32>>;
+@group(0) @binding(6) var<storage, read> exposures: array<Exposure>;
+// Three rows a tile: Σ v_i (x, 1); written only where there is an exposure.
+@group(0) @binding(7) var<storage, read_write> tile_changes: array<vec4<f32>>;
 
 // Three maps one after the other.
 var<workgroup> maps: array<f32, 3u * AREA>;
@@ -30,7 +34,14 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
         want = wanted[here];
         behind = backdrop(now, pixel);
     }
-    let x = drawn.xyz + (1.0 - drawn.w) * behind;
+    let plain = drawn.xyz + (1.0 - drawn.w) * behind;
+    let exposed = now.exposure.x != 0.0;
+    var x = plain;
+    if (exposed) {
+        for (var i = 0u; i < 3u; i++) {
+            x[i] = dot(exposures[now.words.z].change[i], vec4(plain, 1.0));
+        }
+    }
     let y = select(want.xyz + (1.0 - want.w) * behind, x, want.w < 0.0);
     var similar = vec3(0.0);
     // Without SSIM in the loss, its kernel did not run.
@@ -68,11 +79,39 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
             workgroupBarrier();
         }
     }
-    if (inside) {
-        var v = now.loss.x * sign(x - y) + now.loss.y * similar;
-        if (want.w < 0.0) {
-            v = vec3(0.0);
+    var v = vec3(0.0);
+    if (inside && want.w >= 0.0) {
+        v = now.loss.x * sign(x - y) + now.loss.y * similar;
+    }
+    var pull = v;
+    if (exposed) {
+        pull = vec3(0.0);
+        for (var i = 0u; i < 3u; i++) {
+            pull += v[i] * exposures[now.words.z].change[i].xyz;
         }
-        pulls[here] = vec4(v, dot(v, behind));
+        // A row at a time, as four planes of 256 in the maps' place.
+        for (var i = 0u; i < 3u; i++) {
+            let own = v[i] * vec4(plain, 1.0);
+            for (var k = 0u; k < 4u; k++) {
+                maps[256u * k + lane] = own[k];
+            }
+            workgroupBarrier();
+            for (var half = 128u; half > 0u; half >>= 1u) {
+                if (lane < half) {
+                    for (var k = 0u; k < 4u; k++) {
+                        maps[256u * k + lane] += maps[256u * k + lane + half];
+                    }
+                }
+                workgroupBarrier();
+            }
+            if (lane == 0u) {
+                tile_changes[3u * (group.y * view.size.z + group.x) + i] =
+                    vec4(maps[0], maps[256], maps[512], maps[768]);
+            }
+            workgroupBarrier();
+        }
+    }
+    if (inside) {
+        pulls[here] = vec4(pull, dot(pull, behind));
     }
 }

@@ -1,6 +1,6 @@
 // SSIM forward: a workgroup of 256 threads a tile of 16×16 pixels, one pixel a thread, a channel at a time.
 //
-// x is the render over the background, y the target over the same; where the target is held back, y = x. With the
+// x is the render over the background, under the photo's exposure where it has one, y the target over the same; where the target is held back, y = x. With the
 // filtered maps μx, μy, q = x² + y², r = x·y (Wang et al. 2004; only σx² + σy² enters):
 //   SSIM = (2 μx μy + C1)(2 (r − μx μy) + C2) / ((μx² + μy² + C1)(q − μx² − μy² + C2)), zero outside the picture.
 // Out: ∂SSIM/∂μx, ∂SSIM/∂q, ∂SSIM/∂r at every pixel, nine planes; Σ|x − y| and Σ(1 − SSIM) of every tile.
@@ -13,6 +13,7 @@
 @group(0) @binding(3) var<storage, read> wanted: array<vec4<f32>>;
 @group(0) @binding(4) var<storage, read_write> partials: array<f32>;
 @group(0) @binding(5) var<storage, read_write> sums: array<vec2<f32>>;
+@group(0) @binding(6) var<storage, read> exposures: array<Exposure>;
 
 const C1: f32 = 1e-4;
 const C2: f32 = 9e-4;
@@ -28,9 +29,13 @@ fn pair(at: vec2<i32>, channel: u32) -> vec2<f32> {
         return vec2(0.0);
     }
     let i = u32(at.y) * view.size.x + u32(at.x);
-    let behind = backdrop(now, vec2<u32>(at))[channel];
+    let backs = backdrop(now, vec2<u32>(at));
+    let behind = backs[channel];
     let drawn = picture[i];
-    let x = drawn[channel] + (1.0 - drawn.w) * behind;
+    var x = drawn[channel] + (1.0 - drawn.w) * behind;
+    if (now.exposure.x != 0.0) {
+        x = dot(exposures[now.words.z].change[channel], vec4(drawn.xyz + (1.0 - drawn.w) * backs, 1.0));
+    }
     let want = wanted[i];
     if (want.w < 0.0) {
         return vec2(x, x);

@@ -57,6 +57,7 @@ fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress
         alpha: alpha.to_vec(),
         weight: 1.0,
         refine_pose: false,
+        fit_exposure: false,
         held_back: None,
         shown: Shown::Color,
         name,

@@ -27,6 +27,7 @@ pub fn targets(list: &Path) -> Result<(Vec<Target>, bool)> {
             alpha: picture.pixels().map(|p| p[3]).collect(),
             weight: 1.0,
             refine_pose: false,
+            fit_exposure: false,
             held_back: None,
             shown: Shown::Color,
             name: view.name,

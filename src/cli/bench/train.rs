@@ -259,6 +259,7 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
                 color: frame.color,
                 weight: 1.0,
                 refine_pose: false,
+                fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),

@@ -9,6 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::adam::Moments;
 use super::density::Statistics;
+use super::exposure::Exposure;
 use super::pose::Pose;
 use super::{Engine, Options, Target, check};
 use crate::splat::packed::{Core, Packed, Sh};
@@ -29,6 +30,7 @@ pub struct Checkpoint {
     /// One a target, in order.
     pub cameras: Vec<Camera>,
     pub(super) poses: Vec<Pose>,
+    pub(super) exposures: Vec<Exposure>,
 }
 
 impl Checkpoint {
@@ -45,6 +47,7 @@ impl Checkpoint {
             statistics: Statistics::new(gaussians.len()),
             cameras: targets.iter().map(|t| t.camera).collect(),
             poses: vec![Pose::default(); targets.len()],
+            exposures: vec![Exposure::default(); targets.len()],
             gaussians,
         })
     }
@@ -81,7 +84,7 @@ pub(super) struct Run {
     schedule: String,
 }
 
-const KIND: &[u8; 8] = b"orbckpt1";
+const KIND: &[u8; 8] = b"orbckpt2";
 
 /// What stands before the numbers.
 #[derive(Serialize, Deserialize)]
@@ -99,8 +102,8 @@ type CameraWords = ([u32; 2], [f32; 16]);
 
 /// Bytes of one Gaussian: parameters, both moments, steps, statistics.
 const EACH: usize = 3 * (16 + 48) * 4 + 4 + 8;
-/// Bytes of one camera: itself and its pose's moments.
-const EACH_CAMERA: usize = 2 * 4 + 16 * 4 + 16 * 4;
+/// Bytes of one camera: itself, its pose's moments, its photo's exposure.
+const EACH_CAMERA: usize = 2 * 4 + 16 * 4 + 16 * 4 + 40 * 4;
 
 impl Run {
     pub fn new(engine: Engine, start: &Checkpoint, targets: &[Target], options: &Options) -> Run {
@@ -112,7 +115,8 @@ impl Run {
             pictures.update(cast_slice(&t.color));
             pictures.update(cast_slice(&t.alpha));
             pictures.update(t.weight.to_le_bytes());
-            pictures.update([t.refine_pose, t.held_back.is_some(), t.shown == Shown::Normals].map(u8::from));
+            let flags = [t.refine_pose, t.held_back.is_some(), t.shown == Shown::Normals, t.fit_exposure];
+            pictures.update(flags.map(u8::from));
             t.held_back.iter().flatten().for_each(|h| pictures.update([u8::from(*h)]));
         }
         let mut gaussians = Sha256::new();
@@ -204,11 +208,12 @@ impl Saved {
         out.extend_from_slice(cast_slice(&c.moments.sh));
         out.extend_from_slice(cast_slice(&c.moments.steps));
         out.extend_from_slice(cast_slice(&c.statistics.seen));
-        for (camera, pose) in c.cameras.iter().zip(&c.poses) {
+        for ((camera, pose), exposure) in c.cameras.iter().zip(&c.poses).zip(&c.exposures) {
             let (size, words) = camera_words(camera);
             out.extend_from_slice(bytes_of(&size));
             out.extend_from_slice(bytes_of(&words));
             out.extend_from_slice(bytes_of(&pose.words()));
+            out.extend_from_slice(cast_slice(&exposure.words()));
         }
         out
     }
@@ -235,15 +240,17 @@ impl Saved {
             steps: bytemuck::pod_collect_to_vec(take(4 * n)),
         };
         let statistics = Statistics { seen: bytemuck::pod_collect_to_vec(take(8 * n)) };
-        let (mut views, mut poses) = (Vec::new(), Vec::new());
+        let (mut views, mut poses, mut exposures) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..cameras {
             let size = bytemuck::pod_read_unaligned(take(8));
             views.push(camera_from((size, bytemuck::pod_read_unaligned(take(64)))));
             poses.push(Pose::from_words(&bytemuck::pod_read_unaligned(take(64))));
+            let words: Vec<f32> = bytemuck::pod_collect_to_vec(take(160));
+            exposures.push(Exposure::from_words(&words.try_into().ok()?));
         }
         let gaussians = Packed { core, sh };
         let checkpoint =
-            Checkpoint { iteration: head.iteration, gaussians, moments, statistics, cameras: views, poses };
+            Checkpoint { iteration: head.iteration, gaussians, moments, statistics, cameras: views, poses, exposures };
         Some(Saved { iterations: head.iterations, run: head.run, checkpoint })
     }
 }
@@ -283,6 +290,7 @@ mod tests {
             alpha: vec![1.0; 48],
             weight: 1.0,
             refine_pose: true,
+            fit_exposure: true,
             held_back: Some(vec![false; 48]),
             shown: Shown::Color,
             name: "picture".into(),
@@ -297,6 +305,7 @@ mod tests {
         c.moments.steps[3] = 29;
         c.statistics.seen[1] = [0.5, 3.0];
         c.cameras[0].translation.y += 0.125;
+        c.exposures[0].step(&[[0.1; 4]; 3], 0.25, 0.0);
         c.poses[0] = Pose::from_words(&std::array::from_fn(|k| if k % 4 == 3 { 0.0 } else { k as f32 }));
         (Saved::new(&run, 70, &c), targets, options)
     }

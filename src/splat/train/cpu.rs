@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use super::loss::{Loss, Wanted};
+use super::loss::{Loss, Terms, Wanted};
 use super::{Advanced, Checkpoint, Options, Seconds, Stop, Strategy, Target};
-use super::{adam, density, mcmc, random, schedule, update};
+use super::{adam, density, mcmc, random, update};
 use crate::progress::Progress;
 use crate::splat::render::Raster;
 use crate::splat::render::projection::View;
@@ -18,7 +18,15 @@ pub fn advance(
     progress: &dyn Progress,
 ) -> Advanced {
     let began = Instant::now();
-    let Checkpoint { iteration: first, mut gaussians, mut moments, mut statistics, mut cameras, mut poses } = at;
+    let Checkpoint {
+        iteration: first,
+        mut gaussians,
+        mut moments,
+        mut statistics,
+        mut cameras,
+        mut poses,
+        mut exposures,
+    } = at;
     let mut raster = Raster::default();
     let mut seconds = Seconds::default();
     let mut clock = Instant::now();
@@ -39,7 +47,7 @@ pub fn advance(
         }
     }
     let corrections: Vec<[f32; 2]> = (0..=options.iterations as u32).map(|s| adam::corrections(s.max(1))).collect();
-    let mut turns = schedule::Turns::new(targets.iter().map(|t| t.weight));
+    let mut turns = options.turns(targets);
     for _ in 0..first {
         turns.next();
     }
@@ -64,7 +72,12 @@ pub fn advance(
         seconds.forward += lap();
         let starts = &raster.bins.starts;
         let drawn = |t: usize| starts[t] < starts[t + 1];
-        loss.evaluate(&raster.tiles, drawn, wanted, options.behind(target, iteration), options.lambda_dssim, 1.0);
+        let terms = Terms {
+            background: options.behind(target, iteration),
+            lambda: options.lambda_dssim,
+            exposure: target.fit_exposure.then_some(&exposures[turn].change),
+        };
+        loss.evaluate(&raster.tiles, drawn, wanted, terms);
         seconds.loss += lap();
         raster.backward(&loss.tiles);
         seconds.backward += lap();
@@ -79,6 +92,10 @@ pub fn advance(
         if target.refine_pose && iteration >= options.pose_from {
             let distance = cameras[turn].translation.length();
             poses[turn].step(&mut cameras[turn], pose_gradient, options.rates.pose, distance);
+        }
+        if target.fit_exposure {
+            let rates = options.rates_at(iteration);
+            exposures[turn].step(&loss.exposure, rates.exposure, options.exposure_hold);
         }
         seconds.update += lap();
         done = iteration + 1;
@@ -99,6 +116,6 @@ pub fn advance(
         progress.step(done as u64);
     }
     seconds.train = began.elapsed().as_secs_f64() - seconds.setup;
-    let checkpoint = Checkpoint { iteration: done, gaussians, moments, statistics, cameras, poses };
+    let checkpoint = Checkpoint { iteration: done, gaussians, moments, statistics, cameras, poses, exposures };
     Advanced { checkpoint, stopped, seconds, peak_bytes: 0 }
 }

@@ -3,8 +3,13 @@
 //! SSIM (Wang et al. 2004): 11×11 Gaussian window, σ 1.5, zero outside the picture, C1 = 0.01², C2 = 0.03². Only
 //! σx² + σy² enters, so four filtered maps are enough: x, y, x² + y², x·y.
 
+mod exposed;
+
 use rayon::prelude::*;
 
+use exposed::{Unexposed, exposed};
+
+use super::exposure::Change;
 use super::random::hash;
 use crate::splat::render::binning::TILE;
 use crate::splat::render::raster_backward::TileLoss;
@@ -95,6 +100,18 @@ pub struct Loss {
     active: Vec<(usize, usize)>,
     /// Σ |x − y| and Σ (1 − SSIM) of each row.
     sums: Vec<[f64; 2]>,
+    /// The loss's gradient with respect to the photo's exposure; 0 where it has none.
+    pub exposure: Change,
+}
+
+/// What the loss is told beside both pictures.
+#[derive(Clone, Copy)]
+pub struct Terms<'a> {
+    pub background: Background,
+    /// Share of 1 − SSIM.
+    pub lambda: f32,
+    /// What the photo's exposure makes of the render, background and all.
+    pub exposure: Option<&'a Change>,
 }
 
 impl Loss {
@@ -109,6 +126,7 @@ impl Loss {
             tiles: vec![TileLoss::default(); tiles_x * tiles_y],
             active: vec![(0, 0); tiles_y],
             sums: vec![[0.0; 2]; tiles_y * TILE],
+            exposure: [[0.0; 4]; 3],
         }
     }
 
@@ -118,13 +136,13 @@ impl Loss {
         rendered: &[TilePixels],
         drawn: impl Fn(usize) -> bool,
         wanted: &Wanted,
-        background: Background,
-        lambda: f32,
-        weight: f32,
+        terms: Terms,
     ) -> f64 {
+        let Terms { background, lambda, exposure } = terms;
         let (stride, tiles_x) = (self.stride, wanted.tiles_x);
         for row in 0..wanted.tiles_y {
-            let busy = |t: &usize| wanted.occupied[row * tiles_x + t] || drawn(row * tiles_x + t);
+            // An exposure changes what is empty too.
+            let busy = |t: &usize| exposure.is_some() || wanted.occupied[row * tiles_x + t] || drawn(row * tiles_x + t);
             self.active[row] = match ((0..tiles_x).find(busy), (0..tiles_x).rfind(busy)) {
                 (Some(first), Some(last)) => (first, last + 1),
                 _ => (0, 0),
@@ -132,7 +150,7 @@ impl Loss {
         }
         let body = 6 * stride * PAD_ROWS..6 * stride * (PAD_ROWS + wanted.tiles_y * TILE);
         self.pictures[body].par_chunks_mut(6 * stride * TILE).enumerate().for_each(|(row, lines)| {
-            dispatch(Compose { rendered, wanted, background, row, stride, lines });
+            dispatch(Compose { rendered, wanted, background, exposure, row, stride, lines });
         });
 
         // One row's SSIM sees 5 rows and columns around it: the active tiles of the neighbouring tile rows, one wider.
@@ -155,13 +173,19 @@ impl Loss {
             },
         );
 
-        let scale = weight / (3 * wanted.width * wanted.height) as f32;
+        let scale = 1.0 / (3 * wanted.width * wanted.height) as f32;
         let (partials, active) = (&self.partials, &self.active);
-        self.tiles.par_chunks_mut(tiles_x).enumerate().for_each(|(row, tiles)| {
+        let mut changes = vec![[[0.0f64; 4]; 3]; wanted.tiles_y];
+        self.tiles.par_chunks_mut(tiles_x).zip(&mut changes).enumerate().for_each(|(row, (tiles, change))| {
             let span = active[row];
             let rates = [(1.0 - lambda) * scale, -lambda * scale];
-            dispatch(Gradient { pictures, partials, wanted, background, row, span, stride, rates, tiles });
+            dispatch(Gradient { pictures, partials, wanted, background, row, span, stride, rates, tiles: &mut *tiles });
+            if let Some(exposure) = exposure {
+                *change = dispatch(Unexposed { rendered, wanted, background, exposure, row, tiles });
+            }
         });
+        let rows = |i: usize, k: usize| changes.iter().map(|c| c[i][k]).sum::<f64>() as f32;
+        self.exposure = std::array::from_fn(|i| std::array::from_fn(|k| rows(i, k)));
 
         let sums = self.sums.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
         ((1.0 - lambda) as f64 * sums[0] + lambda as f64 * sums[1]) * scale as f64
@@ -172,6 +196,7 @@ struct Compose<'a> {
     rendered: &'a [TilePixels],
     wanted: &'a Wanted,
     background: Background,
+    exposure: Option<&'a Change>,
     row: usize,
     stride: usize,
     lines: &'a mut [f32],
@@ -198,12 +223,19 @@ impl Kernel for Compose<'_> {
                     let through = s.select(s.gt(through, s.splat(0.0)), through, s.sub(s.splat(0.0), through));
                     let open = s.sub(one, s.load(&target[3 * w.wide + x..]));
                     let held = s.gt(s.load(&target[4 * w.wide + x..]), s.splat(0.0));
+                    let mut rendered = [s.splat(0.0); 3];
                     for c in 0..3 {
                         let b = s.load(&behind[c][at..]);
-                        let rendered = s.fma(through, b, s.load(&tile.color[c][j * TILE + at..]));
+                        rendered[c] = s.fma(through, b, s.load(&tile.color[c][j * TILE + at..]));
+                    }
+                    if let Some(m) = self.exposure {
+                        rendered = exposed(s, m, rendered);
+                    }
+                    for c in 0..3 {
+                        let b = s.load(&behind[c][at..]);
                         let wanted = s.fma(open, b, s.load(&target[c * w.wide + x..]));
-                        s.store(rendered, &mut line[c * self.stride + PAD + x..]);
-                        s.store(s.select(held, rendered, wanted), &mut line[(3 + c) * self.stride + PAD + x..]);
+                        s.store(rendered[c], &mut line[c * self.stride + PAD + x..]);
+                        s.store(s.select(held, rendered[c], wanted), &mut line[(3 + c) * self.stride + PAD + x..]);
                     }
                 }
             }

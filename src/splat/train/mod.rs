@@ -4,6 +4,7 @@ mod adam;
 mod checkpoint;
 mod cpu;
 mod density;
+pub mod exposure;
 pub mod gpu;
 mod loss;
 mod mcmc;
@@ -38,6 +39,8 @@ pub struct Target {
     /// How often this target has its turn, relative to the others. 0: measured, never trained on.
     pub weight: f32,
     pub refine_pose: bool,
+    /// Whether an [`exposure`] of this picture is learnt: for photos of automatic cameras.
+    pub fit_exposure: bool,
     /// Pixels never trained on: in the loss the render itself, held fixed, stands there.
     pub held_back: Option<Vec<bool>>,
     /// What `color` is: of normals, unit vectors as [`super::render::normals`] draws them.
@@ -51,6 +54,8 @@ pub struct Trained {
     pub gaussians: Gaussians,
     /// One a target, in order; refined where asked.
     pub cameras: Vec<Camera>,
+    /// One a target, in order; [`exposure::NONE`] where none was asked for.
+    pub exposures: Vec<exposure::Change>,
     pub report: Report,
 }
 
@@ -213,15 +218,15 @@ pub fn train_kept(
     let gaussians_before = start.gaussians.len();
     let mut raster = Raster::default();
     let clock = Instant::now();
-    let before = quality::measure(&mut raster, &start.gaussians, &start.cameras, targets, options.behind);
+    let before = quality::measure(&mut raster, &start, targets, options.behind);
     let mut measured = clock.elapsed();
     progress.begin("optimise Gaussians", options.iterations as u64);
     let done = in_parts(engine, start, targets, options, kept, progress)?;
     let end = done.checkpoint;
     let clock = Instant::now();
-    let after = quality::measure(&mut raster, &end.gaussians, &end.cameras, targets, options.behind);
+    let after = quality::measure(&mut raster, &end, targets, options.behind);
     measured += clock.elapsed();
-    let mut turns = schedule::Turns::new(targets.iter().map(|t| t.weight));
+    let mut turns = options.turns(targets);
     let mut taken = vec![0; targets.len()];
     for turn in (0..end.iteration).map_while(|_| turns.next()) {
         taken[turn] += 1;
@@ -241,7 +246,8 @@ pub fn train_kept(
         peak_bytes: done.peak_bytes,
         device: engine.name(),
     };
-    Ok(Trained { gaussians: end.gaussians.unpack(), cameras: end.cameras, report })
+    let exposures = end.exposures.iter().map(|e| e.change).collect();
+    Ok(Trained { gaussians: end.gaussians.unpack(), cameras: end.cameras, exposures, report })
 }
 
 /// The whole run, a checkpoint at the end of each part.

@@ -1,8 +1,7 @@
 //! How near the render comes to a target, in decibels.
 
-use super::{Behind, Target};
-use crate::splat::Camera;
-use crate::splat::packed::Packed;
+use super::exposure::{NONE, applied};
+use super::{Behind, Checkpoint, Target};
 use crate::splat::render::Raster;
 use crate::splat::render::binning::TILE;
 use crate::splat::render::projection::{Shown, View};
@@ -19,27 +18,23 @@ pub struct Quality {
     pub held_back: Option<f32>,
 }
 
-pub fn measure(
-    raster: &mut Raster,
-    gaussians: &Packed,
-    cameras: &[Camera],
-    targets: &[Target],
-    behind: Behind,
-) -> Vec<Quality> {
+/// Of every target, under its exposure.
+pub fn measure(raster: &mut Raster, at: &Checkpoint, targets: &[Target], behind: Behind) -> Vec<Quality> {
     let behind = match behind {
         Behind::Changing => [0.5; 3],
         Behind::Fixed(color) => color,
     };
-    cameras
+    at.cameras
         .iter()
+        .zip(&at.exposures)
         .zip(targets)
-        .map(|(camera, target)| {
+        .map(|((camera, exposure), target)| {
             let view = View { shown: target.shown, ..View::new(camera) };
             let (behind, least) = match target.shown {
                 Shown::Color => (behind, 0.0),
                 Shown::Normals => ([0.0; 3], -1.0),
             };
-            raster.bins.build(gaussians, &view, 3);
+            raster.bins.build(&at.gaussians, &view, 3);
             raster.forward(&view, None);
             // Σ of squares and their number: subject, picture, held back.
             let mut sums = [[0.0f64; 2]; 3];
@@ -49,9 +44,12 @@ pub fn measure(
                 let at = y % TILE * TILE + x % TILE;
                 let through = tile.transmittance[at].abs();
                 let mut square = 0.0;
-                for ((wanted, color), behind) in wanted.iter().zip(&tile.color).zip(behind) {
-                    let rendered = (color[at] + behind * through).clamp(least, 1.0);
-                    let e = (rendered - (wanted * alpha + behind * (1.0 - alpha))) as f64;
+                let mut drawn = [0, 1, 2].map(|c| tile.color[c][at] + behind[c] * through);
+                if exposure.change != NONE {
+                    drawn = applied(&exposure.change, drawn);
+                }
+                for ((wanted, drawn), behind) in wanted.iter().zip(drawn).zip(behind) {
+                    let e = (drawn.clamp(least, 1.0) - (wanted * alpha + behind * (1.0 - alpha))) as f64;
                     square += e * e / 3.0;
                 }
                 let held = target.held_back.as_ref().is_some_and(|h| h[i]);

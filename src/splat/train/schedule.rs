@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::Target;
 use super::adam::LaneRates;
 use super::loss::Background;
-use super::random::hash;
+use super::random::{Random, hash};
 use crate::splat::render::Shown;
 
 /// Adam's step sizes.
@@ -23,6 +23,9 @@ pub struct Rates {
     pub harmonics: f32,
     /// Radians.
     pub pose: f32,
+    /// Of a photo's exposure; falls exponentially to `exposure_final`.
+    pub exposure: f32,
+    pub exposure_final: f32,
     /// All but the position's fall exponentially to this share of themselves.
     pub final_share: f32,
 }
@@ -72,6 +75,10 @@ pub struct Options {
     pub density: Density,
     /// Poses are refined from this iteration on.
     pub pose_from: usize,
+    /// Weight of an exposure's squared distance from none in the loss.
+    pub exposure_hold: f32,
+    /// Targets with any weight have their turns in a new order each round, all alike; else in proportion to their weights.
+    pub shuffled: bool,
     /// What lies behind the subject in the loss.
     pub behind: Behind,
     /// Stop here even if iterations are left. A run that this stops depends on the machine's speed.
@@ -94,6 +101,8 @@ impl Default for Options {
                 color: 2.5e-3,
                 harmonics: 2.5e-3 / 20.0,
                 pose: 1e-4,
+                exposure: 1e-2,
+                exposure_final: 1e-3,
                 final_share: 1.0,
             },
             scene_extent: 4.3,
@@ -112,6 +121,8 @@ impl Default for Options {
                 reset_every: 3000,
             },
             pose_from: 500,
+            exposure_hold: 1e-2,
+            shuffled: false,
             behind: Behind::Changing,
             deadline: None,
         }
@@ -136,6 +147,7 @@ pub(super) struct RatesNow {
     pub scale: f32,
     pub color: f32,
     pub harmonics: f32,
+    pub exposure: f32,
 }
 
 impl Options {
@@ -162,6 +174,8 @@ impl Options {
             color: longer(r.color, 2.0),
             harmonics: longer(r.harmonics, 8.0),
             pose: r.pose,
+            exposure: r.exposure,
+            exposure_final: r.exposure_final,
             final_share: longer(r.final_share, 0.1),
         };
         Options {
@@ -186,6 +200,12 @@ impl Options {
             pose_from: squeeze(full.pose_from),
             ..full
         }
+    }
+
+    /// Whose turns they are.
+    pub(super) fn turns(&self, targets: &[Target]) -> Turns {
+        let turns = Turns::new(targets.iter().map(|t| t.weight));
+        if self.shuffled { turns.shuffled(self.seed) } else { turns }
     }
 
     pub(super) fn degree(&self, iteration: usize) -> usize {
@@ -240,10 +260,12 @@ impl Options {
     pub(super) fn rates_at(&self, iteration: usize) -> RatesNow {
         let r = &self.rates;
         let t = iteration as f32 / self.iterations.max(1) as f32;
-        let position = (r.position.ln() * (1.0 - t) + r.position_final.ln() * t).exp();
+        let falling = |from: f32, to: f32| (from.ln() * (1.0 - t) + to.ln() * t).exp();
+        let position = falling(r.position, r.position_final);
+        let exposure = falling(r.exposure, r.exposure_final);
         let [opacity, rotation, scale, color, harmonics] =
             [r.opacity, r.rotation, r.scale, r.color, r.harmonics].map(|rate| rate * r.final_share.powf(t));
-        RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics }
+        RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics, exposure }
     }
 
     /// What lies behind the subject in this target's turn: nothing, where normals are shown.
@@ -269,16 +291,29 @@ impl Options {
     }
 }
 
-/// Whose turn it is: smooth weighted round robin. Each target comes up in proportion to its weight, evenly spread.
+/// Whose turn it is: smooth weighted round robin. Each target comes up in proportion to its weight, evenly spread. Or
+/// round after round, each in an order of its own.
 pub struct Turns {
     weights: Vec<f32>,
     credit: Vec<f32>,
+    shuffle: Option<Shuffle>,
+}
+
+struct Shuffle {
+    random: Random,
+    /// What is left of the round, last first.
+    left: Vec<usize>,
 }
 
 impl Turns {
     pub fn new(weights: impl Iterator<Item = f32>) -> Self {
         let weights: Vec<f32> = weights.map(|w| if w.is_finite() { w.max(0.0) } else { 0.0 }).collect();
-        Turns { credit: vec![0.0; weights.len()], weights }
+        Turns { credit: vec![0.0; weights.len()], weights, shuffle: None }
+    }
+
+    /// Every target with any weight once a round, in an order that the seed picks.
+    fn shuffled(self, seed: u64) -> Self {
+        Turns { shuffle: Some(Shuffle { random: Random::new(seed ^ 0x7475_726e), left: Vec::new() }), ..self }
     }
 
     /// None when no target has any weight.
@@ -286,6 +321,16 @@ impl Turns {
         let total: f32 = self.weights.iter().sum();
         if total <= 0.0 {
             return None;
+        }
+        if let Some(s) = &mut self.shuffle {
+            if s.left.is_empty() {
+                s.left = (0..self.weights.len()).filter(|i| self.weights[*i] > 0.0).collect();
+                // Fisher and Yates.
+                for i in (1..s.left.len()).rev() {
+                    s.left.swap(i, (s.random.next() % (i as u64 + 1)) as usize);
+                }
+            }
+            return s.left.pop();
         }
         for (c, w) in self.credit.iter_mut().zip(&self.weights) {
             *c += w;
@@ -316,6 +361,20 @@ mod tests {
         }
         assert_eq!(counts, [60, 10, 10, 0]);
         assert_eq!(Turns::new([0.0].into_iter()).next(), None);
+    }
+
+    #[test]
+    fn shuffled_rounds_have_everyone_once() {
+        let round = |turns: &mut Turns| -> Vec<usize> { (0..5).map(|_| turns.next().unwrap()).collect() };
+        let mut turns = Turns::new([1.0, 0.3, 0.0, 1.0, 2.0, 1.0].into_iter()).shuffled(4);
+        let rounds: Vec<Vec<usize>> = (0..8).map(|_| round(&mut turns)).collect();
+        for r in &rounds {
+            let mut all = r.clone();
+            all.sort_unstable();
+            assert_eq!(all, [0, 1, 3, 4, 5]);
+        }
+        assert!(rounds.iter().any(|r| *r != rounds[0]));
+        assert_eq!(Turns::new([0.0].into_iter()).shuffled(1).next(), None);
     }
 
     #[test]

@@ -21,6 +21,7 @@ fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
                 alpha: frame.alpha,
                 weight: 1.0,
                 refine_pose: false,
+                fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),

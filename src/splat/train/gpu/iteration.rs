@@ -53,6 +53,8 @@ pub struct Fixed {
     pub corrections: Buffer,
     pub cameras: Buffer,
     pub poses: Buffer,
+    /// One a target; shaders/exposure.wgsl.
+    pub exposures: Buffer,
     /// The step under way.
     pub now: Buffer,
     pub pictures: Vec<Picture>,
@@ -82,6 +84,9 @@ pub struct Iteration {
     /// Σ|x − y| and Σ(1 − SSIM) a tile.
     #[cfg(test)]
     pub sums: Buffer,
+    /// Three rows a tile of ∂L/∂exposure.
+    #[cfg(test)]
+    pub tile_changes: Buffer,
     /// ∂L/∂(Σ w rgb), ∂L/∂(final transmittance) a pixel.
     #[cfg(test)]
     pub pulls: Buffer,
@@ -91,6 +96,7 @@ pub struct Iteration {
     loss_gradient: Kernel,
     raster_backward: Step,
     finish: Step,
+    exposure: Step,
     end: Step,
 }
 
@@ -143,6 +149,7 @@ impl Iteration {
         let pulls = gpu.buffer("pulls", 16 * pixels);
         let sums = gpu.buffer("loss", 8 * tiles);
         let pose_partials = gpu.buffer("pose", 32 * u64::from(groups));
+        let tile_changes = gpu.buffer("exposure", 48 * tiles);
         let step = |kernel: &ComputePipeline, buffers: &[&Buffer], size: Size| {
             let bindings: Vec<_> = buffers.iter().map(|b| Whole(b)).collect();
             Step { kernel: kernel.clone(), groups: vec![group(gpu, kernel, 0, &bindings)], size }
@@ -202,15 +209,22 @@ impl Iteration {
             &[&fixed.state, &fixed.now, &plan.counts, &pose_partials, &fixed.cameras, &fixed.poses, &fixed.corrections],
             Size::Direct(1, 1),
         );
-        let (ssim, loss_gradient) =
-            (per_target(&kernels.ssim, &[&partials, &sums]), per_target(&kernels.loss_gradient, &[&partials, &pulls]));
-        let bytes = plan.bytes + 52 * pixels + 8 * tiles + 32 * u64::from(groups);
+        let exposure = step(
+            &kernels.exposure_step,
+            &[&fixed.state, &plan.view, &fixed.now, &plan.counts, &tile_changes, &fixed.exposures, &fixed.corrections],
+            Size::Direct(1, 1),
+        );
+        let ssim = per_target(&kernels.ssim, &[&partials, &sums, &fixed.exposures]);
+        let loss_gradient = per_target(&kernels.loss_gradient, &[&partials, &pulls, &fixed.exposures, &tile_changes]);
+        let bytes = plan.bytes + 52 * pixels + 56 * tiles + 32 * u64::from(groups);
         Some(Iteration {
             plan,
             #[cfg(test)]
             pose_partials,
             #[cfg(test)]
             sums,
+            #[cfg(test)]
+            tile_changes,
             #[cfg(test)]
             pulls,
             bytes,
@@ -219,6 +233,7 @@ impl Iteration {
             loss_gradient,
             raster_backward,
             finish,
+            exposure,
             end,
         })
     }
@@ -243,6 +258,9 @@ impl Iteration {
             s if s == raster + 2 => self.raster_backward.record_sized(pass, size),
             _ => {
                 self.finish.record(pass);
+                if numbers.exposure[0] != 0.0 {
+                    self.exposure.record(pass);
+                }
                 self.end.record(pass);
             }
         }

@@ -19,6 +19,7 @@ pub struct Kernels {
     pub update: ComputePipeline,
     pub gradient: ComputePipeline,
     pub end: ComputePipeline,
+    pub exposure_step: ComputePipeline,
     pub refine_mark: ComputePipeline,
     pub refine_plan: ComputePipeline,
     pub refine_choose: ComputePipeline,
@@ -81,10 +82,10 @@ impl Kernels {
         Kernels {
             radix: Radix::new(gpu),
             begin: plain("begin", sources!("view", "training", "chunk", "begin")),
-            ssim: plain("ssim", sources!("view", "training", "hash", "backdrop", "window", "ssim")),
+            ssim: plain("ssim", sources!("view", "training", "exposure", "hash", "backdrop", "window", "ssim")),
             loss_gradient: plain(
                 "loss_gradient",
-                sources!("view", "training", "hash", "backdrop", "window", "loss_gradient"),
+                sources!("view", "training", "exposure", "hash", "backdrop", "window", "loss_gradient"),
             ),
             raster_backward,
             update: plain(
@@ -122,6 +123,7 @@ impl Kernels {
                 ),
             ),
             end: plain("end", sources!("view", "training", "end")),
+            exposure_step: plain("exposure_step", sources!("view", "training", "exposure", "exposure_step")),
             refine_mark: plain("refine_mark", sources!("view", "refine", "refine_mark")),
             refine_plan: plain("refine_plan", sources!("blocks", "refine", "refine_plan")),
             refine_choose: plain("refine_choose", sources!("refine", "refine_choose")),

@@ -12,7 +12,7 @@ use crate::Result;
 use crate::splat::packed::Packed;
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::{Gpu, STAGES};
-use crate::splat::train::{Checkpoint, Options, Target, adam, density, pose};
+use crate::splat::train::{Checkpoint, Options, Target, adam, density, exposure, pose};
 use crate::splat::{Camera, Gaussians};
 
 const ALL: usize = STAGES.len() + BACK_STAGES.len();
@@ -56,6 +56,7 @@ pub fn forward_backward(
         statistics: density::Statistics::new(n),
         cameras: cameras.to_vec(),
         poses: vec![pose::Pose::default(); cameras.len()],
+        exposures: vec![exposure::Exposure::default(); cameras.len()],
     };
     let out = Gradients {
         core: gpu.buffer("gradient", 48 * n as u64),

@@ -17,6 +17,7 @@ use crate::splat::Camera;
 use crate::splat::render::gpu::kernel::read;
 use crate::splat::render::gpu::plan::{Kernels as Drawing, RECORD, TILE, View};
 use crate::splat::render::gpu::{Gpu, MOST_GROUPS, Scene};
+use crate::splat::train::exposure::Exposure;
 use crate::splat::train::pose::Pose;
 use crate::splat::train::{Advanced, Checkpoint, Density, Options, Stop, Target};
 use crate::{Error, Result};
@@ -94,6 +95,7 @@ impl<'a> Run<'a> {
         model.upload(gpu, &at.gaussians, &at.moments, &at.statistics.seen)?;
         let cameras: Vec<View> = at.cameras.iter().map(view).collect();
         let poses: Vec<[f32; 16]> = at.poses.iter().map(Pose::words).collect();
+        let exposures: Vec<[f32; 40]> = at.exposures.iter().map(Exposure::words).collect();
         let put = |label: &str, bytes: &[u8]| {
             let buffer = gpu.buffer(label, bytes.len() as u64);
             gpu.queue.write_buffer(&buffer, 0, bytes);
@@ -105,6 +107,7 @@ impl<'a> Run<'a> {
             corrections: put("corrections", cast_slice(&corrections)),
             cameras: put("cameras", cast_slice(&cameras)),
             poses: put("poses", cast_slice(&poses)),
+            exposures: put("exposures", cast_slice(&exposures)),
             now: gpu.uniform(&Step::zeroed()),
             pictures,
         };
@@ -275,6 +278,9 @@ impl<'a> Run<'a> {
         let views: Vec<View> = bytemuck::pod_collect_to_vec(&views);
         let poses = read(self.gpu, &self.fixed.poses, 64 * intrinsics.len() as u64)?;
         let poses: Vec<[f32; 16]> = bytemuck::pod_collect_to_vec(&poses);
+        let exposures = read(self.gpu, &self.fixed.exposures, 160 * intrinsics.len() as u64)?;
+        let exposures: Vec<f32> = bytemuck::pod_collect_to_vec(&exposures);
+        let (exposures, _) = exposures.as_chunks::<40>();
         Ok(Checkpoint {
             iteration: self.done,
             gaussians,
@@ -282,6 +288,7 @@ impl<'a> Run<'a> {
             statistics: crate::splat::train::density::Statistics { seen },
             cameras: intrinsics.iter().zip(&views).map(|(c, v)| v.moved(c)).collect(),
             poses: poses.iter().map(Pose::from_words).collect(),
+            exposures: exposures.iter().map(Exposure::from_words).collect(),
         })
     }
 }

@@ -3,7 +3,6 @@
 use crate::splat::render::Shown;
 use crate::splat::train::Options;
 use crate::splat::train::loss::Background;
-use crate::splat::train::schedule::Turns;
 use crate::splat::train::{Target, adam};
 
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
@@ -15,6 +14,7 @@ pub struct Step {
     pub loss: [f32; 4],
     pub words: [u32; 4],
     pub more_words: [u32; 4],
+    pub exposure: [f32; 4],
 }
 
 pub fn halves(v: u64) -> [u32; 2] {
@@ -23,7 +23,7 @@ pub fn halves(v: u64) -> [u32; 2] {
 
 /// One step an iteration, until no target has a turn.
 pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
-    let mut turns = Turns::new(targets.iter().map(|t| t.weight));
+    let mut turns = options.turns(targets);
     (0..options.iterations)
         .map_while(|iteration| {
             let turn = turns.next()?;
@@ -44,6 +44,7 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
                 loss: [(1.0 - lambda) * share, -lambda * share, options.regulariser(), options.regulariser()],
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
                 more_words: [low, high, u32::from(target.shown == Shown::Normals), 0],
+                exposure: if target.fit_exposure { [r.exposure, options.exposure_hold, 0.0, 0.0] } else { [0.0; 4] },
             })
         })
         .collect()

@@ -19,7 +19,8 @@ use crate::splat::render::projection::{View, backward};
 use crate::splat::render::reference::{self, Pose, parameters};
 use crate::splat::render::tests::{camera, scene};
 use crate::splat::render::{self, Raster, render};
-use crate::splat::train::loss::{Loss, Wanted};
+use crate::splat::train::exposure::{Change, Exposure};
+use crate::splat::train::loss::{Loss, Terms, Wanted};
 use crate::splat::train::random::Random;
 use crate::splat::train::{Behind, Checkpoint, Density, Engine, Options, Target, train};
 use crate::splat::{Camera, Gaussians};
@@ -43,6 +44,16 @@ struct All {
     pose: [f32; 6],
     /// Σ|x − y| and Σ(1 − SSIM).
     sums: [f32; 2],
+    exposure: Change,
+}
+
+/// An exposure that is not none, where the target has one.
+fn begun(target: &Target) -> Exposure {
+    let mut e = Exposure::default();
+    if target.fit_exposure {
+        e.change = [[1.2, 0.05, -0.1, 0.03], [0.02, 0.8, 0.0, -0.05], [-0.04, 0.1, 1.1, 0.02]];
+    }
+    e
 }
 
 /// One forward and backward pass. `pulls`: the loss's gradient at every pixel in place of the loss's own.
@@ -55,7 +66,8 @@ fn on_gpu(
     pulls: Option<&[[f32; 4]]>,
 ) -> All {
     let targets = std::slice::from_ref(target);
-    let at = Checkpoint::new(g, targets).unwrap();
+    let mut at = Checkpoint::new(g, targets).unwrap();
+    at.exposures[0] = begun(target);
     let n = g.len() as u64;
     let out = Gradients {
         core: gpu.buffer("core", 48 * (n + 32_768)),
@@ -99,6 +111,8 @@ fn on_gpu(
         bytemuck::pod_collect_to_vec(&read(gpu, &i.pose_partials, groups as u64 * 32).unwrap());
     let tiles = picture.width.div_ceil(16) * picture.height.div_ceil(16);
     let sums: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&read(gpu, &i.sums, 8 * u64::from(tiles)).unwrap());
+    let changes: Vec<[f32; 4]> =
+        bytemuck::pod_collect_to_vec(&read(gpu, &i.tile_changes, 48 * u64::from(tiles)).unwrap());
     let used = g.len().div_ceil(256);
     All {
         core: (0..g.len())
@@ -114,6 +128,9 @@ fn on_gpu(
             .collect(),
         pose: std::array::from_fn(|k| (0..used).map(|w| partials[2 * w + k / 3][k % 3]).sum()),
         sums: std::array::from_fn(|k| sums.iter().map(|s| s[k]).sum()),
+        exposure: std::array::from_fn(|i| {
+            std::array::from_fn(|k| changes.iter().skip(i).step_by(3).map(|c| c[k]).sum())
+        }),
     }
 }
 
@@ -128,9 +145,15 @@ fn on_cpu(g: &Gaussians, target: &Target, options: &Options) -> (All, f64) {
     raster.forward(&view, None);
     let wanted = Wanted::new(w, h, &target.color, &target.alpha, target.held_back.as_deref());
     let mut loss = Loss::new(w, h);
-    let value = loss.evaluate(&raster.tiles, |_| true, &wanted, options.behind(target, 0), options.lambda_dssim, 1.0);
+    let exposure = begun(target).change;
+    let terms = Terms {
+        background: options.behind(target, 0),
+        lambda: options.lambda_dssim,
+        exposure: target.fit_exposure.then_some(&exposure),
+    };
+    let value = loss.evaluate(&raster.tiles, |_| true, &wanted, terms);
     raster.backward(&loss.tiles);
-    let mut all = All { core: Vec::new(), sh: Vec::new(), pose: [0.0; 6], sums: [0.0; 2] };
+    let mut all = All { core: Vec::new(), sh: Vec::new(), pose: [0.0; 6], sums: [0.0; 2], exposure: loss.exposure };
     for i in 0..g.len() {
         let gradient =
             raster.gradient_of(i).and_then(|up| backward(&packed.core[i], &packed.sh[i], &view, degree, &up));
@@ -189,6 +212,7 @@ fn target(camera: Camera, seed: u64) -> Target {
         alpha: other.alpha,
         weight: 1.0,
         refine_pose: true,
+        fit_exposure: false,
         held_back: Some((0..n).map(|i| i % 97 < 5).collect()),
         shown: Shown::Color,
         name: "test".into(),
@@ -300,6 +324,7 @@ fn pictures_of_normals_turn_the_surface() {
                 shown,
                 held_back: None,
                 refine_pose: false,
+                fit_exposure: false,
                 ..target(camera, 1)
             }
         })
@@ -322,6 +347,26 @@ fn pictures_of_normals_turn_the_surface() {
         assert!(a < 0.6 * b && a < 0.3 * off(&start), "{a} with normals, {b} without, {} before", off(&start));
         let normals = &with.report.targets[7];
         assert!(normals.after.picture > normals.before.picture + 3.0, "{normals:?}");
+    }
+}
+
+#[test]
+fn gradients_under_an_exposure_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (seed, w, h) in [(1, 93, 70), (2, 64, 64), (3, 17, 5)] {
+        let g = scene(200, 0.08, seed);
+        let t = Target { fit_exposure: true, ..target(camera(w, h), seed) };
+        let o = options(3, if seed == 2 { Behind::Fixed([0.2, 0.5, 0.9]) } else { Behind::Changing });
+        let (want, value) = on_cpu(&g, &t, &o);
+        let got = on_gpu(gpu, &g, &t, &o, 2, None);
+        same(&got, &want, &format!("exposure {seed}"));
+        let loss = (0.8 * got.sums[0] + 0.2 * got.sums[1]) as f64 / (3 * w * h) as f64;
+        assert!((loss - value).abs() < 1e-4 * value + 1e-6, "loss {loss} {value}");
+        let largest = want.exposure.as_flattened().iter().fold(0f32, |a, b| a.max(b.abs()));
+        for (a, b) in got.exposure.as_flattened().iter().zip(want.exposure.as_flattened()) {
+            assert!((a - b).abs() < 2e-3 * largest, "{:?} {:?}", got.exposure, want.exposure);
+        }
+        assert!(largest > 1e-3, "{largest}");
     }
 }
 

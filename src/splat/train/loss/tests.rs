@@ -68,7 +68,8 @@ fn value_and_gradient_match_the_definition() {
     let wanted = Wanted::new(w, h, &color, &alpha, Some(&held));
     let behind = [0.9f32, 0.3, 0.0];
     let mut loss = Loss::new(w, h);
-    let value = loss.evaluate(&rendered, |_| true, &wanted, Background::Flat(behind), 0.2, 1.0);
+    let plain = |background| Terms { background, lambda: 0.2, exposure: None };
+    let value = loss.evaluate(&rendered, |_| true, &wanted, plain(Background::Flat(behind)));
     let index = |x: usize, y: usize| (y / TILE * tiles_x + x / TILE, y % TILE * TILE + x % TILE);
     let picture = |rendered: &[TilePixels]| -> Vec<[f64; 3]> {
         (0..w * h)
@@ -119,6 +120,87 @@ fn equal_pictures_cost_nothing() {
     let wanted = Wanted::new(w, h, &vec![[0.0; 3]; w * h], &vec![0.0; w * h], None);
     let rendered = vec![TilePixels::default(); 4];
     let mut loss = Loss::new(w, h);
-    assert!(loss.evaluate(&rendered, |_| true, &wanted, Background::Noise(3), 0.2, 1.0).abs() < 1e-7);
+    let terms = Terms { background: Background::Noise(3), lambda: 0.2, exposure: None };
+    assert!(loss.evaluate(&rendered, |_| true, &wanted, terms).abs() < 1e-7);
     assert!(loss.tiles.iter().all(|t| t.color[0].iter().all(|v| v.abs() < 1e-8)));
+}
+
+/// Gradients of the exposure and of what it was applied to, against differences of the definition in f64.
+#[test]
+fn an_exposures_gradients_match_the_definition() {
+    let (w, h) = (37usize, 21usize);
+    let mut random = Random::new(9);
+    let mut unit = || random.uniform();
+    let color: Vec<[f32; 3]> = (0..w * h).map(|_| std::array::from_fn(|_| unit())).collect();
+    let alpha: Vec<f32> = (0..w * h).map(|i| if i % w > 20 { unit() } else { 0.0 }).collect();
+    let held: Vec<bool> = (0..w * h).map(|i| i / w > 15 && i % w > 20).collect();
+    let tiles_x = w.div_ceil(TILE);
+    let mut rendered = vec![TilePixels::default(); tiles_x * h.div_ceil(TILE)];
+    for t in &mut rendered {
+        // Finished early: the sign says so.
+        t.transmittance.iter_mut().for_each(|v| *v = (0.1 + 0.8 * unit()) * if unit() < 0.2 { -1.0 } else { 1.0 });
+        t.color.iter_mut().for_each(|c| c.iter_mut().for_each(|v| *v = 0.5 * unit()));
+    }
+    let wanted = Wanted::new(w, h, &color, &alpha, Some(&held));
+    let behind = [0.9f32, 0.3, 0.1];
+    let change: Change = [[1.2, 0.05, -0.1, 0.03], [0.02, 0.8, 0.0, -0.05], [-0.04, 0.1, 1.1, 0.02]];
+    let terms = Terms { background: Background::Flat(behind), lambda: 0.2, exposure: Some(&change) };
+    let mut loss = Loss::new(w, h);
+    // Nothing is drawn anywhere, and yet all of it counts.
+    let value = loss.evaluate(&rendered, |_| false, &wanted, terms);
+    let index = |x: usize, y: usize| (y / TILE * tiles_x + x / TILE, y % TILE * TILE + x % TILE);
+    let plain: Vec<[f64; 3]> = (0..w * h)
+        .map(|i| {
+            let (t, p) = index(i % w, i / w);
+            let through = f64::from(rendered[t].transmittance[p].abs());
+            std::array::from_fn(|c| f64::from(rendered[t].color[c][p]) + through * f64::from(behind[c]))
+        })
+        .collect();
+    let exposed = |plain: &[[f64; 3]], m: &[[f64; 4]; 3]| -> Vec<[f64; 3]> {
+        plain.iter().map(|x| m.map(|r| r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + r[3])).collect()
+    };
+    let m = change.map(|r| r.map(f64::from));
+    let start = exposed(&plain, &m);
+    // Where it is held back, the target is the render as it stands, and does not move with it.
+    let y: Vec<[f64; 3]> = (0..w * h)
+        .map(|i| {
+            let a = f64::from(alpha[i]);
+            std::array::from_fn(|c| {
+                if held[i] { start[i][c] } else { f64::from(color[i][c]) * a + (1.0 - a) * f64::from(behind[c]) }
+            })
+        })
+        .collect();
+    assert!((value - reference(w, h, &start, &y, 0.2)).abs() < 1e-6);
+    // What a held-back pixel does to its neighbours' windows is not counted: neither render nor target moves there.
+    let frozen = |mut x: Vec<[f64; 3]>| {
+        (0..w * h).filter(|i| held[*i]).for_each(|i| x[i] = start[i]);
+        reference(w, h, &x, &y, 0.2)
+    };
+    for i in 0..3 {
+        for k in 0..4 {
+            let shifted = |by: f64| {
+                let mut m = m;
+                m[i][k] += by;
+                frozen(exposed(&plain, &m))
+            };
+            let difference = (shifted(1e-6) - shifted(-1e-6)) / 2e-6;
+            let got = f64::from(loss.exposure[i][k]);
+            assert!((got - difference).abs() < 2e-6 + 2e-3 * difference.abs(), "{i} {k}: {got} {difference}");
+        }
+    }
+    for (px, py) in [(0, 0), (7, 3), (36, 20), (36, 2), (20, 15), (16, 16), (30, 18)] {
+        let (t, p) = index(px, py);
+        for c in 0..3 {
+            let shifted = |by: f64| {
+                let mut x = plain.clone();
+                x[py * w + px][c] += by;
+                frozen(exposed(&x, &m))
+            };
+            let difference = (shifted(1e-6) - shifted(-1e-6)) / 2e-6;
+            let got = f64::from(loss.tiles[t].color[c][p]);
+            assert!((got - difference).abs() < 1e-7 + 1e-3 * difference.abs(), "{px} {py} {c}: {got} {difference}");
+        }
+        let sum: f32 = (0..3).map(|c| loss.tiles[t].color[c][p] * behind[c]).sum();
+        assert!((sum - loss.tiles[t].transmittance[p]).abs() < 1e-8);
+    }
 }

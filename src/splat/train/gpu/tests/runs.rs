@@ -8,7 +8,9 @@ use crate::splat::render::gpu::Gpu;
 use crate::splat::render::tests::scene;
 use crate::splat::render::{Shown, render};
 use crate::splat::train::tests::disturbed;
-use crate::splat::train::{Checkpoint, Density, Engine, Kept, Options, Saved, Target, advance, train, train_kept};
+use crate::splat::train::{
+    Behind, Checkpoint, Density, Engine, Kept, Options, Saved, Target, advance, train, train_kept,
+};
 use crate::splat::{Camera, Gaussians};
 
 /// Views of a scene and a disturbed copy to start from.
@@ -27,6 +29,7 @@ fn problem(size: u32) -> (Vec<Target>, Gaussians) {
                 alpha: frame.alpha,
                 weight: 1.0,
                 refine_pose: i == 2,
+                fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),
@@ -54,6 +57,32 @@ fn a_run_follows_the_cpus() {
     let moved = (cpu.cameras[2].position() - targets[2].camera.position()).length();
     assert!(moved > 1e-4 && apart < 0.2 * moved, "{moved} {apart}");
     assert_eq!(got.cameras[1], targets[1].camera);
+}
+
+#[test]
+fn exposures_are_found_as_on_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    let (mut targets, _) = problem(48);
+    let truth = scene(150, 0.12, 1);
+    let gains = [1.0, 0.7, 1.2, 0.9, 1.1];
+    for (t, gain) in targets.iter_mut().zip(gains) {
+        t.color.iter_mut().for_each(|c| *c = [c[0] * gain, c[1] * gain * 0.95, c[2] * gain]);
+        (t.fit_exposure, t.refine_pose) = (true, false);
+    }
+    let scaled = Options::scaled(150);
+    let o = Options { density: Density { until: 0, ..scaled.density }, behind: Behind::Fixed([0.0; 3]), ..scaled };
+    let [cpu, got] = [Engine::Cpu, Engine::Gpu(gpu)].map(|e| train(e, truth.clone(), &targets, &o, &Silent).unwrap());
+    for ((a, b), gain) in cpu.exposures.iter().zip(&got.exposures).zip(gains) {
+        for (a, b) in a.as_flattened().iter().zip(b.as_flattened()) {
+            assert!((a - b).abs() < 0.02, "{:?} {:?}", cpu.exposures, got.exposures);
+        }
+        // Red is answered by red, up to what all photos have in common.
+        let ratio = a[0][0..3].iter().sum::<f32>() / gain;
+        assert!((0.75..1.35).contains(&ratio), "{ratio} {a:?}");
+    }
+    for t in &got.report.targets {
+        assert!(t.after.picture > t.before.picture + 3.0, "{t:?}");
+    }
 }
 
 #[test]
