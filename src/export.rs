@@ -5,6 +5,8 @@ mod coarser;
 pub mod import;
 mod model;
 mod scene;
+mod sheet;
+mod splat_tree;
 
 use glam::{Mat3, Vec3};
 use image::RgbImage;
@@ -20,7 +22,9 @@ use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, views};
 
 pub use model::{glb, tiles3d, usdz};
-pub use scene::{gaussians_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
+pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
+pub use sheet::scene_png;
+pub use splat_tree::{TILE as TILE_OF_SPLATS, splat_tree};
 
 /// One level of detail in the subject frame, metres.
 #[derive(Clone, Debug)]

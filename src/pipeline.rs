@@ -2,6 +2,7 @@
 //!
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
+pub mod scene;
 pub mod settled;
 pub mod several;
 pub mod unposed;
@@ -9,9 +10,9 @@ pub mod unposed;
 use std::time::{Duration, Instant};
 
 use crate::mesh::{self, Model};
-use crate::models::scene::{self, Subject};
+use crate::models::scene::Subject;
 use crate::models::splat_prior::{self, OneView};
-use crate::models::{Engine, prior};
+use crate::models::{self, Engine, prior};
 use crate::photo::Photo;
 use crate::photos::crops::Crop;
 use crate::progress::Progress;
@@ -227,7 +228,7 @@ pub fn fit(
     progress.begin("mask and depth", 0);
     let cutout = mask.as_ref().or(photo.cutout.as_ref());
     let graph = engine.load(prior::SCENE.verified()?)?;
-    let mut subject = scene::subject(&photo.pixels, cutout, sources.point(), &*graph)?;
+    let mut subject = models::scene::subject(&photo.pixels, cutout, sources.point(), &*graph)?;
     drop(graph);
     clock.lap("mask and depth");
     progress.check()?;

@@ -27,7 +27,7 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 29] = [
+pub const EVENT_TYPES: [EventType; 30] = [
     event("access.refused", "orb serve refused somebody, so many times in a minute", "attempts are seen"),
     event("account.add", "an account of orb serve was made", "who may do what, and since when"),
     event(
@@ -63,6 +63,7 @@ pub const EVENT_TYPES: [EventType; 29] = [
     event("scene.generate", "orb geo published", MADE),
     event("scene.reconstruct", "orb reconstruct published", MADE),
     event("scene.render", "orb render published", MADE),
+    event("scene.train", "orb train published", MADE),
     event("serve.start", "orb serve began to listen", "since when others could reach what is here"),
     event("serve.stop", "orb serve ended", "until when they could"),
     event("session.begin", "an account signed in", "who was there"),

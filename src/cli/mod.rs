@@ -24,6 +24,7 @@ mod sealed;
 #[cfg(feature = "serve")]
 pub mod serve;
 mod summary;
+pub mod train;
 #[cfg(feature = "view")]
 pub mod view;
 
@@ -64,6 +65,8 @@ enum Verb {
     Geo(Box<geo::GeoArgs>),
     /// Turn a photo into Gaussians alone: neither meshed nor placed.
     Reconstruct(reconstruct::Reconstruct),
+    /// Train a scene of Gaussians on a folder of posed photos.
+    Train(Box<train::Train>),
     /// Turn a splat or a model into the other formats, placed, marked, sealed.
     Export(Box<export::ExportArgs>),
     /// Turn many photos into one store, several at once, here or by Slurm.
@@ -108,6 +111,7 @@ pub fn main() -> ExitCode {
         Verb::Geo(_) => Some("orb geo"),
         Verb::Batch(_) => Some("orb batch"),
         Verb::Reconstruct(_) => Some("orb reconstruct"),
+        Verb::Train(_) => Some("orb train"),
         Verb::Render(_) => Some("orb render"),
         Verb::Export(_) => Some("orb export"),
         Verb::Models(_) => Some("orb models"),
@@ -132,6 +136,7 @@ pub fn main() -> ExitCode {
         Verb::Geo(args) => geo::run(&args, &stop),
         Verb::Batch(args) => batch::run(&args, &stop),
         Verb::Reconstruct(args) => reconstruct::run(&args, &stop),
+        Verb::Train(args) => train::run(&args, &stop),
         Verb::Export(args) => export::run(&args, &stop),
         Verb::Cdb(args) => cdb::run(&args).map(show),
         Verb::Render(args) => render::publish(&args, &stop),

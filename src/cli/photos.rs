@@ -1,5 +1,9 @@
 //! What a reconstruction begins with: one photo, or a folder of them with its options, its poses, its places on the Earth.
 
+mod set;
+
+pub use set::Set;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -259,33 +263,52 @@ fn open(folder: &Path, args: &PhotosArgs) -> Result<Folder> {
             }
         }
     };
-    let limits = photo::Limits::default();
-    let (mut inputs, mut carried, mut exif) = (Vec::new(), Vec::new(), BTreeMap::new());
-    for file in &files {
-        let name = name_of(file);
-        let bytes = super::geo::read_photo(file, limits.file_bytes)?;
-        let (tags, media_type) = photo::metadata(&name, &bytes, &limits)?;
-        let marked = marking::carried(&name, &bytes)?;
-        inputs.push(record::input(&name, &bytes, media_type, "photo", marked.clone()));
-        carried.push(marked);
-        exif.insert(name, tags);
-    }
-    if let Some(p) = &poses {
-        inputs.extend(pose_inputs(&p.files)?);
-    }
-    let control = match &args.gcp {
-        None => None,
-        Some(path) => {
-            let bytes =
-                std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the control points' path."))?;
-            let name = name_of(path);
-            inputs.push(record::input(&name, &bytes, "text/csv", "control-points", None));
-            let text = String::from_utf8(bytes)
-                .map_err(|e| Error::usage(&name).expected("UTF-8 text").found(e.utf8_error().to_string()))?;
-            Some((name, text))
+    let files = files.into_iter().map(|f| (name_of(&f), f)).collect();
+    Folder::read(files, poses, args)
+}
+
+impl Folder {
+    /// Reads files by their names for the record.
+    fn read(files: Vec<(String, PathBuf)>, poses: Option<Poses>, args: &PhotosArgs) -> Result<Folder> {
+        let limits = photo::Limits::default();
+        let (mut inputs, mut carried, mut exif) = (Vec::new(), Vec::new(), BTreeMap::new());
+        for (name, file) in &files {
+            let name = name.clone();
+            let bytes = super::geo::read_photo(file, limits.file_bytes)?;
+            let (tags, media_type) = photo::metadata(&name, &bytes, &limits)?;
+            let marked = marking::carried(&name, &bytes)?;
+            inputs.push(record::input(&name, &bytes, media_type, "photo", marked.clone()));
+            carried.push(marked);
+            exif.insert(name, tags);
         }
-    };
-    Ok(Folder { files, exif, nothing: Exif::default(), inputs, carried, poses, ran: None, searched: false, control })
+        if let Some(p) = &poses {
+            inputs.extend(pose_inputs(&p.files)?);
+        }
+        let control = match &args.gcp {
+            None => None,
+            Some(path) => {
+                let bytes =
+                    std::fs::read(path).map_err(|e| Error::io(path, &e).advice("Check the control points' path."))?;
+                let name = name_of(path);
+                inputs.push(record::input(&name, &bytes, "text/csv", "control-points", None));
+                let text = String::from_utf8(bytes)
+                    .map_err(|e| Error::usage(&name).expected("UTF-8 text").found(e.utf8_error().to_string()))?;
+                Some((name, text))
+            }
+        };
+        let files = files.into_iter().map(|f| f.1).collect();
+        Ok(Folder {
+            files,
+            exif,
+            nothing: Exif::default(),
+            inputs,
+            carried,
+            poses,
+            ran: None,
+            searched: false,
+            control,
+        })
+    }
 }
 
 fn pose_inputs(files: &[PathBuf]) -> Result<Vec<Input>> {
@@ -345,11 +368,15 @@ impl Folder {
     /// For the record.
     fn params(&self, s: &Several) -> Vec<(String, Param)> {
         let mut all = self.poses.as_ref().map(|p| params(p, s)).unwrap_or_default();
-        if let Some(ran) = &self.ran {
-            all.push(("sfm_program".into(), Param::Text(record::printable(&ran.version))));
-            all.push(("sfm_commands".into(), Param::Text(record::printable(&ran.commands.join("; ")))));
-        }
+        all.extend(self.ran_params());
         all
+    }
+
+    /// What COLMAP did, where it ran.
+    fn ran_params(&self) -> Vec<(String, Param)> {
+        let text = |name: &str, words: &str| (name.to_owned(), Param::Text(record::printable(words)));
+        let ran = self.ran.iter();
+        ran.flat_map(|r| [text("sfm_program", &r.version), text("sfm_commands", &r.commands.join("; "))]).collect()
     }
 
     /// The photo of a file, its rows as the file has them.
@@ -358,7 +385,8 @@ impl Folder {
     /// As [`photo::decode_as_stored`]; integrity where the file is another than the one that was recorded.
     fn recorded(&self, file: &Path) -> Result<Photo> {
         let limits = photo::Limits::default();
-        let name = name_of(file);
+        let posed = self.poses.iter().flat_map(|p| &p.photos).find(|p| p.file == file);
+        let name = posed.map_or_else(|| name_of(file), |p| p.name.clone());
         let bytes = super::geo::read_photo(file, limits.file_bytes)?;
         let (photo, _) = photo::decode_as_stored(&name, &bytes, &limits)?;
         let recorded = self.inputs.iter().find(|i| i.role == "photo" && i.name == record::printable(&name));

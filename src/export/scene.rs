@@ -9,6 +9,7 @@ use super::{Labels, ToMetres, format_error, label};
 use crate::Result;
 use crate::audit::Marking;
 use crate::geo::Placement;
+use crate::geo::similarity::Similarity;
 use crate::splat::Gaussians;
 
 /// The comment by which Orb knows its own axes again.
@@ -44,6 +45,19 @@ pub fn unit_ply(g: &Gaussians, marking: &Marking) -> Result<File> {
     ply_file("scene.ply", g, &comments)
 }
 
+/// The Gaussians of posed photos as `scene.ply`, in the unit frame: `to_unit` says how that lies in the poses' own world.
+pub fn posed_ply(g: &Gaussians, to_unit: &Similarity, marking: &Marking) -> Result<File> {
+    let comments = [
+        marking.line(),
+        "frame: unit, right-handed, Z up, +Y where the first photo's camera pointed, the cameras' median distance from what \
+         they look at is 1"
+            .into(),
+        "not placed, not scaled".into(),
+        format!("from the poses' world: {to_unit}"),
+    ];
+    ply_file("scene.ply", g, &comments)
+}
+
 fn ply_file(path: &str, g: &Gaussians, comments: &[String]) -> Result<File> {
     let bytes = ply::write(&splats(g), comments).map_err(format_error)?;
     Ok(File { path: path.into(), bytes, media_type: "application/ply" })
@@ -69,14 +83,13 @@ pub fn spz(g: &Gaussians, labels: &Labels, version: spz::Version) -> Result<File
 
 /// The Gaussians as `KHR_gaussian_splatting`.
 pub fn splat_glb(g: &Gaussians, placement: &Placement, labels: &Labels) -> Result<File> {
-    let asset = Asset {
-        name: labels.stem.clone(),
-        splats: Some(splats(&y_up(g))),
-        label: label(placement, labels),
-        ..Asset::default()
-    };
-    let bytes = glb::write(&asset).map_err(format_error)?;
+    let bytes = glb::write(&splat_asset(&y_up(g), placement, labels)).map_err(format_error)?;
     Ok(File { path: format!("{}_splats.glb", labels.stem), bytes, media_type: "model/gltf-binary" })
+}
+
+/// Gaussians of glTF's axes, with their labels.
+pub(super) fn splat_asset(g: &Gaussians, placement: &Placement, labels: &Labels) -> Asset {
+    Asset { name: labels.stem.clone(), splats: Some(splats(g)), label: label(placement, labels), ..Asset::default() }
 }
 
 /// `tiles3d/tileset.json` with one tile of Gaussians at their place on the Earth.
@@ -108,7 +121,7 @@ pub fn splat_tiles3d(g: &Gaussians, placement: &Placement, labels: &Labels) -> R
 }
 
 /// Subject frame (Z up) → Y up: (x, y, z) → (x, z, −y).
-fn y_up(g: &Gaussians) -> Gaussians {
+pub(super) fn y_up(g: &Gaussians) -> Gaussians {
     g.transformed(Mat3::from_cols(Vec3::X, Vec3::NEG_Z, Vec3::Y), 1.0, Vec3::ZERO)
 }
 

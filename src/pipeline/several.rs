@@ -19,6 +19,7 @@ use crate::views::hull::{Hull, Silhouette};
 use crate::{Error, Result, sources, views};
 
 mod common_body;
+pub(super) use common_body::straightened;
 use common_body::{Framed, Masked, Seen, framed, masked};
 
 /// Names of the targets in the optimisation's report: `photo NAME` and `held out NAME`.

@@ -101,7 +101,7 @@ fn fitness(crop: &Crop, subject: &Subject, longest: f64) -> f64 {
 }
 
 /// Without the lens's distortion; refused where it has another shape than its camera.
-fn straightened(photo: Photo, posed: &Posed) -> Result<Photo> {
+pub fn straightened(photo: Photo, posed: &Posed) -> Result<Photo> {
     let (w, h) = photo.pixels.dimensions();
     let shape = |w: u32, h: u32| f64::from(w) / f64::from(h);
     if (shape(w, h) / shape(posed.camera.width, posed.camera.height) - 1.0).abs() > 0.02 {

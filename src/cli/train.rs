@@ -1,0 +1,339 @@
+//! `orb train`: a folder of posed photos becomes the Gaussians of a whole scene, measured on photos held out, marked and sealed.
+
+mod told;
+
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use clap::ValueEnum;
+use glam::Vec3;
+use sha2::{Digest, Sha256};
+
+use super::bar::{Bar, Say};
+use super::checkpoint::CheckpointArgs;
+use super::device::Device;
+use super::geo;
+use super::networks::EngineArgs;
+use super::photos::{PhotosArgs, Set};
+use super::sealed::{Evidence, PublishArgs, SealedRun};
+use crate::audit::{DataFolder, record, time};
+use crate::export::{self, Labels};
+use crate::geo::{HeadingSource, Placement, ScaleSource};
+use crate::models::Graph;
+use crate::photos::dataset;
+use crate::photos::register::{self, Registration};
+use crate::pipeline::scene::{self, Background, Cost, Scene, Sky, Source, Strategy};
+use crate::progress::Progress;
+use crate::{Error, Result, memory, splat};
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum StrategyName {
+    /// Clone, split and prune (Kerbl et al. 2023)
+    #[default]
+    Default,
+    /// Move the dead and add a few up to the cap (Kheradmand et al. 2024)
+    Mcmc,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum SkyName {
+    /// Where the photos show one
+    #[default]
+    Auto,
+    On,
+    Off,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SceneFormat {
+    /// Quantised
+    Spz,
+    /// 3D Tiles in levels of detail, without the sky; for photos with a place on the Earth
+    Tiles3d,
+    /// None besides
+    Ply,
+}
+
+/// Train a scene of Gaussians on a folder of posed photos.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Train {
+    /// The folder: COLMAP's images and sparse/0, Nerfstudio's transforms.json, or NeRF's transforms_train.json.
+    pub data: PathBuf,
+    #[command(flatten)]
+    pub photos: PhotosArgs,
+    /// Folder to publish; must not exist yet. Default: the folder's name and _scene.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub publish: PublishArgs,
+    /// Optimisation steps.
+    #[arg(long, value_name = "N", default_value_t = 30_000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub iterations: u32,
+    /// How the number of Gaussians is controlled.
+    #[arg(long, value_enum, default_value_t)]
+    pub strategy: StrategyName,
+    /// Never more Gaussians. Default: what the free memory holds; a million with --strategy mcmc, if it holds that.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=100_000_000))]
+    pub max_gaussians: Option<u32>,
+    /// Gaussians to begin with at random places, where there are no points.
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
+    pub init_points: u32,
+    /// Every so-many-th photo by name is held out and measured; 0: none. A layout's own test photos go before.
+    #[arg(long, value_name = "N", default_value_t = dataset::EVERY as u32)]
+    pub test_every: u32,
+    /// Longer side of the photos in training, pixels; larger ones are made smaller.
+    #[arg(long, value_name = "PIXELS", default_value_t = 1600, value_parser = clap::value_parser!(u32).range(16..=16_384))]
+    pub size: u32,
+    /// Folder of masks by the photos' names, black where a photo is not to be looked at. Default: `masks` beside the photos.
+    #[arg(long, value_name = "DIR")]
+    pub masks: Option<PathBuf>,
+    /// Learn each photo's exposure: an affine change of its colours.
+    #[arg(long)]
+    pub exposure: bool,
+    /// What stands behind everything: auto (white where photos have alpha, else black), black, white, R,G,B of 0 to 1, or
+    /// random: another at every step, so that the Gaussians learn the photos' alpha.
+    #[arg(long, value_name = "COLOUR", default_value = "auto", value_parser = background)]
+    pub background: Background,
+    /// Whether far Gaussians stand for the sky.
+    #[arg(long, value_enum, default_value_t)]
+    pub sky: SkyName,
+    /// LPIPS as ONNX, to measure that too: inputs `ref` and `dist`, 1×3×H×W, normalised as for ImageNet; output the distance.
+    #[arg(long, value_name = "FILE.onnx")]
+    pub lpips: Option<PathBuf>,
+    /// Formats to publish beside scene.ply, preview.png and the record, separated by commas.
+    #[arg(long, value_delimiter = ',', value_enum, default_value = "spz")]
+    pub format: Vec<SceneFormat>,
+    #[arg(long, value_enum, default_value_t)]
+    pub device: Device,
+    /// Same photos, options, seed and machine: same bytes.
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+    #[command(flatten)]
+    pub kept: CheckpointArgs,
+    #[command(flatten)]
+    pub engine: EngineArgs,
+    /// One JSON object on standard output.
+    #[arg(long)]
+    pub json: bool,
+    /// How progress is said on standard error.
+    #[arg(long, value_enum, default_value = "bar")]
+    pub progress: Say,
+}
+
+fn background(text: &str) -> std::result::Result<Background, String> {
+    match text {
+        "auto" => Ok(Background::Auto),
+        "black" => Ok(Background::Color([0.0; 3])),
+        "white" => Ok(Background::Color([1.0; 3])),
+        "random" => Ok(Background::Changing),
+        other => {
+            let parts: Vec<f32> = other.split(',').filter_map(|p| p.trim().parse().ok()).collect();
+            match <[f32; 3]>::try_from(parts) {
+                Ok(c) if c.iter().all(|v| (0.0..=1.0).contains(v)) => Ok(Background::Color(c)),
+                _ => Err("expected auto, black, white, random, or three numbers of 0 to 1 such as 0.5,0.5,0.5".into()),
+            }
+        }
+    }
+}
+
+/// A measure's network.
+struct Network {
+    graph: Box<dyn Graph>,
+    sha256: String,
+    size: u64,
+    engine: String,
+}
+
+impl Network {
+    fn open(args: &Train) -> Result<Option<Network>> {
+        let Some(file) = &args.lpips else { return Ok(None) };
+        let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+        let bytes = std::fs::read(file).map_err(|e| Error::io(file, &e))?;
+        let engine = args.engine.open(&data, &mut |_| {})?;
+        let sha256 = hex::encode(Sha256::digest(&bytes));
+        let graph = engine.load(&bytes)?;
+        Ok(Some(Network { graph, sha256, size: bytes.len() as u64, engine: engine.name().to_owned() }))
+    }
+}
+
+/// A scene on the Earth: metres, +Y at the heading.
+pub struct Placed {
+    pub registration: Registration,
+    pub placement: Placement,
+    /// Metres a unit.
+    pub scale: f32,
+    /// The origin in the unit frame.
+    pub base: Vec3,
+}
+
+/// Runs the verb. `stop` is set by the interrupt handler.
+///
+/// # Errors
+/// Usage for photos, poses, masks and options that cannot be used; policy for markings; as [`scene::fit`].
+pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
+    let started = Instant::now();
+    let mut set = Set::open(&args.data, &args.photos, args.masks.as_deref())?;
+    let kept = args.kept.open()?;
+    let network = Network::open(args)?;
+    let handling = args.publish.marking.decide(set.carried(), &time::now()?.utc())?;
+    let product = handling.marking.clone();
+    let stem = geo::stem_of(&args.data);
+    let output = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}_scene")));
+    let mut sealed = SealedRun::begin("orb train", &output, handling, &args.publish)?;
+    let say = |line: &str| {
+        if !args.publish.quiet {
+            eprintln!("orb: {line}");
+        }
+    };
+    let gpu = args.device.open_quietly(&mut |line| say(line))?;
+    let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
+    let bar = Bar::saying(args.progress, stop, args.publish.quiet);
+    set.pose(&bar)?;
+    let fixes = set.fixes()?;
+    let held_out = set.held_out(args.test_every as usize)?;
+    let cost = Cost {
+        photos: set.poses()?.photos.len(),
+        pixels: set.pixels(args.size)?,
+        on_gpu: gpu.is_some(),
+        free: memory::available(),
+    };
+    let strategy = match args.strategy {
+        StrategyName::Default => Strategy::Paper,
+        StrategyName::Mcmc => Strategy::Mcmc,
+    };
+    let most = match args.max_gaussians {
+        Some(n) => n as usize,
+        None if strategy == Strategy::Mcmc => cost.cap().min(scene::cost::MCMC),
+        None => cost.cap(),
+    };
+    say(&cost.words(most));
+    let options = scene::Options {
+        iterations: args.iterations as usize,
+        strategy,
+        max_gaussians: most,
+        longest_side: args.size,
+        random_points: args.init_points as usize,
+        exposure: args.exposure,
+        refine_poses: args.photos.refine_poses,
+        background: args.background,
+        sky: match args.sky {
+            SkyName::Auto => Sky::Auto,
+            SkyName::On => Sky::On,
+            SkyName::Off => Sky::Off,
+        },
+        up: Set::up(&fixes, args.seed),
+        seed: args.seed,
+        kept,
+    };
+    let photos = &set.poses()?.photos;
+    if args.format.contains(&SceneFormat::Tiles3d) {
+        let (to_unit, ..) = scene::unit_frame(set.poses()?, options.up, args.seed)?;
+        register::register(&fixes, &to_unit, args.seed).ok_or_else(|| {
+            Error::usage("--format tiles3d")
+                .expected("photos that know their place on the Earth: three with GPS, or --gcp")
+                .found("none that say it")
+        })?;
+    }
+    let source = Source {
+        poses: set.poses()?,
+        held_out: &held_out,
+        open: &|posed| set.photo(posed),
+        mask: &|i| set.mask(&photos[i]),
+    };
+    let lpips = network.as_ref().map(|n| &*n.graph);
+    let done = scene::fit(&source, fitter, &options, lpips, &bar)?;
+
+    bar.begin("writing and sealing", 0);
+    let placed = register::register(&fixes, &done.to_unit, args.seed).map(|r| placed(r, &done));
+    let reading = time::now()?;
+    let labels = Labels {
+        stem: "scene".into(),
+        marking: product.clone(),
+        utc: reading.utc(),
+        heading_source: HeadingSource::Georegistration.label(),
+        scale_source: ScaleSource::Georegistration.label(),
+    };
+    let ply = match &placed {
+        Some(p) => export::scene_ply(&p.gaussians(&done.gaussians), &p.placement, &labels)?,
+        None => export::posed_ply(&done.gaussians, &done.to_unit, &product)?,
+    };
+    sealed.publication.add(&ply.path, &ply.bytes, ply.media_type, "gaussians")?;
+    let in_metres = placed.as_ref().map(|p| p.gaussians(&done.gaussians));
+    if args.format.contains(&SceneFormat::Spz) {
+        let g = in_metres.as_ref().unwrap_or(&done.gaussians);
+        let spz = export::spz(g, &labels, orb_formats::spz::Version::V3)?;
+        sealed.publication.add(&spz.path, &spz.bytes, spz.media_type, "gaussians")?;
+    }
+    if let (true, Some(p), Some(g)) = (args.format.contains(&SceneFormat::Tiles3d), &placed, &in_metres) {
+        let near = g.filtered(|i| i < g.len() - done.sky);
+        for file in export::splat_tree(&near, export::TILE_OF_SPLATS, &p.placement, &labels)? {
+            sealed.publication.add(&file.path, &file.bytes, file.media_type, "gaussians")?;
+        }
+    }
+    let preview = export::scene_png(&done, &product)?;
+    sealed.publication.add("preview.png", &preview, "image/png", "preview")?;
+    bar.check()?;
+    let measure = network.as_ref().map(|n| record::model("lpips", "", &n.sha256, n.size, &n.engine));
+    let published = sealed.seal(Evidence {
+        event_type: "scene.train",
+        time: reading,
+        inputs: set.inputs().to_vec(),
+        models: told::models(&done, set.colmap()).into_iter().chain(measure).collect(),
+        params: told::params(args, &options, &set, &done, placed.as_ref()),
+    })?;
+    bar.finish();
+    let told = told::Told {
+        args,
+        set: &set,
+        options: &options,
+        cost: &cost,
+        done: &done,
+        placed: placed.as_ref(),
+        published: &published,
+        banner: product.banner(),
+        seconds: started.elapsed().as_secs_f64(),
+    };
+    match (args.json, args.publish.quiet) {
+        (true, _) => super::write_out(&(told.json() + "\n")),
+        (false, true) => {}
+        (false, false) => super::write_out(&told.text()),
+    }
+    Ok(0)
+}
+
+impl Placed {
+    pub fn gaussians(&self, g: &splat::Gaussians) -> splat::Gaussians {
+        g.transformed(glam::Mat3::IDENTITY, self.scale, -self.scale * self.base)
+    }
+}
+
+/// The origin lies on the ground below what the photos look at; without a ground, there itself.
+fn placed(registration: Registration, done: &Scene) -> Placed {
+    let ground = done.ground.as_ref().map(|g| {
+        let on_it = done.to_unit.apply(g.normal * g.height);
+        on_it.z as f32
+    });
+    let base = Vec3::new(0.0, 0.0, ground.unwrap_or(0.0));
+    let placement = Placement {
+        origin: registration.place(base.as_dvec3()),
+        heading: registration.heading(),
+        heading_source: HeadingSource::Georegistration,
+    };
+    Placed { scale: registration.to_enu.scale as f32, registration, placement, base }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn backgrounds_are_named_or_numbers() {
+        assert_eq!(background("white"), Ok(Background::Color([1.0; 3])));
+        assert_eq!(background("0.1, 0.2,0.3"), Ok(Background::Color([0.1, 0.2, 0.3])));
+        assert_eq!(background("random"), Ok(Background::Changing));
+        for wrong in ["", "0.1,0.2", "0.1,0.2,1.3", "1,1,1,1", "green", "NaN,0,0"] {
+            assert!(background(wrong).is_err(), "{wrong}");
+        }
+    }
+}

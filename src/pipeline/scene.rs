@@ -1,0 +1,274 @@
+//! A whole scene from posed photos: poses → pictures → Gaussians to begin with → training → how well it meets photos that
+//! it never saw (Kerbl et al. 2023). No mask of a subject, no network, no mesh.
+
+mod begin;
+mod brightness;
+pub mod cost;
+mod pictures;
+mod score;
+mod sky;
+#[cfg(test)]
+mod tests;
+
+use glam::{DQuat, DVec3};
+
+use super::{Clock, Timing};
+use crate::geo::similarity::Similarity;
+use crate::models::Graph;
+use crate::photo::Photo;
+use crate::photos::frame::{self, Ground, UpBy};
+use crate::photos::{Posed, Poses};
+use crate::progress::Progress;
+use crate::splat::train::exposure::Change;
+use crate::splat::train::{Behind, Density, Kept, Rates, train_kept};
+use crate::splat::{self, Camera, Gaussians, Report};
+use crate::{Error, Result};
+
+pub use crate::splat::train::Strategy;
+pub use begin::From;
+pub use cost::Cost;
+pub use pictures::Pictures;
+pub use score::{Role, Scores, View};
+
+/// What stands behind all Gaussians.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Background {
+    /// White where the photos have alpha, as NeRF's synthetic sets are measured; else black.
+    #[default]
+    Auto,
+    Color([f32; 3]),
+    /// Another at every step: where the photos have alpha, so do the Gaussians.
+    Changing,
+}
+
+/// Whether far Gaussians stand for the sky.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sky {
+    /// Where the photos show one.
+    #[default]
+    Auto,
+    On,
+    Off,
+}
+
+/// What training is told.
+#[derive(Clone, Debug)]
+pub struct Options {
+    pub iterations: usize,
+    pub strategy: Strategy,
+    pub max_gaussians: usize,
+    /// Longer side of a photo in training, pixels; larger ones are made smaller.
+    pub longest_side: u32,
+    /// Gaussians to begin with where there are no points.
+    pub random_points: usize,
+    /// Each photo's exposure is learnt.
+    pub exposure: bool,
+    pub refine_poses: bool,
+    pub background: Background,
+    pub sky: Sky,
+    /// Up in the cameras' world, where the Earth says it.
+    pub up: Option<DVec3>,
+    pub seed: u64,
+    pub kept: Kept,
+}
+
+impl Default for Options {
+    /// Kerbl et al. 2023 with the numbers of gsplat 1.5's trainer.
+    fn default() -> Self {
+        Options {
+            iterations: 30_000,
+            strategy: Strategy::Paper,
+            max_gaussians: 1_000_000,
+            longest_side: 1600,
+            random_points: 100_000,
+            exposure: false,
+            refine_poses: false,
+            background: Background::Auto,
+            sky: Sky::Auto,
+            up: None,
+            seed: 0,
+            kept: Kept::default(),
+        }
+    }
+}
+
+/// A trained scene. Lengths in its unit: the cameras' median distance from what they look at.
+pub struct Scene {
+    /// In the unit frame: Z up, +Y where the first photo looks.
+    pub gaussians: Gaussians,
+    /// How many of them are the sky's; they come last.
+    pub sky: usize,
+    /// One a photo, in order; refined where asked.
+    pub cameras: Vec<Camera>,
+    /// One a photo, in order.
+    pub exposures: Vec<Change>,
+    /// From the cameras' world to the unit frame, f64.
+    pub to_unit: Similarity,
+    pub up_by: UpBy,
+    pub ground: Option<Ground>,
+    pub begun_from: begin::From,
+    pub views: Vec<View>,
+    pub trained: Scores,
+    pub held_out: Scores,
+    pub behind: [f32; 3],
+    pub report: Report,
+    pub timings: Vec<Timing>,
+}
+
+/// Photos as the files have them, and what of them is to be looked at.
+pub struct Source<'a> {
+    pub poses: &'a Poses,
+    /// One a photo: measured, never trained on.
+    pub held_out: &'a [bool],
+    /// The photo of a pose, its rows as the file has them.
+    pub open: &'a dyn Fn(&Posed) -> Result<Photo>,
+    /// Its mask, 0 where it is not to be looked at.
+    pub mask: &'a dyn Fn(usize) -> Result<Option<image::GrayImage>>,
+}
+
+/// From the cameras' world to the unit frame: what the photos look at in the middle, the cameras' median distance from it 1.
+///
+/// # Errors
+/// Usage where all cameras stand at one place.
+pub fn unit_frame(poses: &Poses, up: Option<DVec3>, seed: u64) -> Result<(Similarity, UpBy, Option<Ground>)> {
+    let photos = &poses.photos;
+    let centres: Vec<DVec3> = photos.iter().map(Posed::centre).collect();
+    let mean = centres.iter().sum::<DVec3>() / centres.len().max(1) as f64;
+    let spread = centres.iter().map(|c| c.distance(mean)).fold(0.0, f64::max);
+    let near = |at: &DVec3| at.distance(mean) < 20.0 * spread;
+    let middle = frame::looked_at(photos, &poses.points).filter(near).unwrap_or(mean);
+    let mut distances: Vec<f64> = centres.iter().map(|c| c.distance(middle)).collect();
+    distances.sort_by(f64::total_cmp);
+    let radius = distances.get(distances.len() / 2).copied().unwrap_or(0.0).max(0.05 * spread);
+    if !(radius.is_finite() && radius > 0.0) {
+        return Err(Error::usage("photos").expected("cameras at different places").found("all at one place"));
+    }
+    let cameras_up = frame::up_of_cameras(photos.iter().map(|p| p.rotation));
+    let ground = frame::ground(&poses.points, middle, radius, up.unwrap_or(cameras_up), seed);
+    let (up, by) = match (up, &ground) {
+        (Some(up), _) => (up, UpBy::Georegistration),
+        (None, Some(g)) => (g.normal, UpBy::Ground),
+        (None, None) => (cameras_up, UpBy::Cameras),
+    };
+    let first = photos.first().map_or((mean, DQuat::IDENTITY), |p| (p.centre(), p.rotation));
+    Ok((frame::unit(middle, radius, up, first.0, first.1.inverse() * -DVec3::Y), by, ground))
+}
+
+/// Trains and measures. `lpips`: the network of that measure, where there is one.
+///
+/// # Errors
+/// Usage for fewer than two photos to train on and for photos of another shape than their cameras; as [`train_kept`].
+pub fn fit(
+    source: &Source,
+    fitter: splat::Engine,
+    options: &Options,
+    lpips: Option<&dyn Graph>,
+    progress: &dyn Progress,
+) -> Result<Scene> {
+    let mut clock = Clock::new();
+    let (to_unit, up_by, ground) = unit_frame(source.poses, options.up, options.seed)?;
+    let mut pictures = pictures::read(source, &to_unit, options, progress)?;
+    clock.lap("photos");
+    let training = pictures.targets.iter().filter(|t| t.weight > 0.0).count();
+    if training < 2 {
+        return Err(Error::usage("photos")
+            .expected("at least two photos to train on")
+            .found(training.to_string())
+            .advice("Hold fewer out: --test-every 0 holds none."));
+    }
+    let behind = match options.background {
+        Background::Color(c) => c,
+        Background::Auto if pictures.alpha => [1.0; 3],
+        Background::Auto => [0.0; 3],
+        Background::Changing => [0.5; 3],
+    };
+    let extent = extent(&pictures.targets);
+    let sky = match options.sky {
+        Sky::Off => Gaussians::default(),
+        Sky::Auto if pictures.alpha => Gaussians::default(),
+        Sky::Auto => sky::seen(&pictures.targets, extent, options.max_gaussians)
+            .filter(sky::is_plain)
+            .map(|s| s.gaussians)
+            .unwrap_or_default(),
+        Sky::On => sky::seen(&pictures.targets, extent, options.max_gaussians).map(|s| s.gaussians).unwrap_or_default(),
+    };
+    let room = options.max_gaussians.saturating_sub(sky.len());
+    let (mut start, begun_from) = begin::gaussians(source.poses, &to_unit, &pictures, extent, room, options)?;
+    let sky_from = start.len();
+    let sky_count = sky.len().min(options.max_gaussians.saturating_sub(sky_from));
+    start.extend(&sky.filtered(|i| i < sky_count));
+    clock.lap("first Gaussians");
+    progress.check()?;
+
+    let schedule = schedule(options, extent, behind, training);
+    let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
+    let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
+    brightness::settle(&mut trained.gaussians, &mut trained.exposures, &learnt);
+    clock.lap("optimisation");
+
+    progress.begin("measuring", pictures.targets.len() as u64);
+    let views = score::views(&mut pictures, &trained, behind, lpips, progress)?;
+    clock.lap("measuring");
+    let of = |role: Role| Scores::mean(views.iter().filter(|v| v.role == role).map(|v| &v.scores));
+    let (measured_trained, measured_held_out) = (of(Role::Trained), of(Role::HeldOut));
+    let (gaussians, sky) = sky::last(trained.gaussians, extent);
+    Ok(Scene {
+        gaussians,
+        sky,
+        cameras: trained.cameras,
+        exposures: trained.exposures,
+        to_unit,
+        up_by,
+        ground,
+        begun_from,
+        views,
+        trained: measured_trained,
+        held_out: measured_held_out,
+        behind,
+        report: trained.report,
+        timings: clock.timings,
+    })
+}
+
+/// Size of the scene as gsplat has it: 1.1 times the farthest camera's distance from the cameras' middle.
+fn extent(targets: &[splat::Target]) -> f32 {
+    let all = || targets.iter().map(|t| t.camera.position());
+    let middle = all().sum::<glam::Vec3>() / targets.len().max(1) as f32;
+    1.1 * all().map(|p| p.distance(middle)).fold(1e-3, f32::max)
+}
+
+/// The schedule of 30,000 iterations; a shorter run ends its growing half-way and begins it earlier.
+pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize) -> splat::Options {
+    let full = splat::Options::default();
+    let n = options.iterations;
+    // A photo has few turns in a short run, and Adam goes no further than its rate in each.
+    let turns = n as f32 / photos.max(1) as f32;
+    let hurry = (300.0 / turns.max(1.0)).clamp(1.0, 4.0);
+    let density = Density {
+        // Before it counts, every photo has had a turn.
+        from: full.density.from.min(n / 20).max(photos.min(n / 20)),
+        until: full.density.until.min(n / 2),
+        every: full.density.every.min((n / 150).max(20)),
+        max_gaussians: options.max_gaussians,
+        ..full.density
+    };
+    let plain = splat::Options {
+        iterations: n,
+        seed: options.seed,
+        scene_extent: extent,
+        sh_degree_every: full.sh_degree_every.min((n / 10).max(1)),
+        density,
+        pose_from: full.pose_from.min(n / 10),
+        behind: if options.background == Background::Changing { Behind::Changing } else { Behind::Fixed(behind) },
+        shuffled: true,
+        rates: Rates { exposure: hurry * full.rates.exposure, ..full.rates },
+        ..full
+    };
+    match options.strategy {
+        Strategy::Paper => plain,
+        Strategy::Mcmc => {
+            let mcmc = plain.with_mcmc();
+            splat::Options { density: Density { until: mcmc.density.until.min(n * 5 / 6), ..mcmc.density }, ..mcmc }
+        }
+    }
+}
