@@ -36,7 +36,7 @@ impl Fit {
     /// How badly the shape meets itself, colours aside. On ribs, bricks and windows colours are alike at many places, and on
     /// a plain wall everywhere; where exactly a plane lies, the shape knows better.
     fn askew(&self) -> f32 {
-        self.shape / 0.1 + 2.0 * self.contradicted
+        (self.shape - SAMPLED) / 0.1 + 2.0 * self.contradicted
     }
 
     /// What is minimised: of planes that fit alike, the one that gives more of the unseen side.
@@ -50,6 +50,9 @@ impl Fit {
     }
 }
 
+/// So far the samples of a surface lie from the samples of the same surface, about (forklift, container, car, bear: 0.006 to
+/// 0.011 more than where all that share a cell of 0.05 counted as one).
+const SAMPLED: f32 = 0.01;
 /// A surface point within this of the seen depth is the seen one.
 const SAME: f32 = 0.08;
 
