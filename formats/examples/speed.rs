@@ -1,125 +1,172 @@
-//! How fast each format is written and read, and how large it is. Writes the splats' files into the folder that is
-//! named, for other programs to be timed on (`tests/clients/splat_speed.py`).
+//! How fast each format is written and read, beside its size: from structs in memory to a closed file and back, the
+//! median of seven rounds. The files stay in the folder that is named, for other programs to be timed on
+//! (`tests/clients/format_speed.py`, which runs this). A folder in memory keeps the disk out of it.
 //!
 //! cargo run --release -p orb-formats --example speed -- FOLDER
+//!
+//! A line a format, between tabs: name, what is counted, how many, bytes of the file, seconds to write, seconds to read.
 
-use std::path::PathBuf;
+#[path = "speed/data.rs"]
+mod data;
+
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use orb_formats::asset::{EncodedImage, Material, Part};
+use orb_formats::cdb::dbf::Table;
+use orb_formats::cdb::shapefile;
+use orb_formats::geotiff::Grid;
 use orb_formats::openflight::{self, Geometry, Level, Model};
 use orb_formats::spz::{self, Axes, Version};
-use orb_formats::{Asset, Image, Mesh, Splats, glb, ply, sgi, usdz};
+use orb_formats::{Asset, Result, geotiff, glb, jp2, ply, sgi, tiles3d, usdz};
 
-const SPLATS: usize = 300_000;
-/// Quads along each side of a field: 100,352 triangles.
-const SIDE: u32 = 224;
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 7;
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder for the files")?);
     std::fs::create_dir_all(&folder)?;
-    let splats = splats();
-    println!("{SPLATS} splats of degree 3, the best of {ROUNDS} rounds");
-    let bytes = line("ply", SPLATS, || ply::write(&splats, &[]), |b| ply::read(b).map(drop))?;
-    std::fs::write(folder.join("scene.ply"), bytes)?;
+    let bench = Bench { folder: &folder };
+    splats(&bench)?;
+    triangles(&bench)?;
+    rasters(&bench)?;
+    features(&bench)?;
+    let tileset = data::tileset();
+    bench.line("3D Tiles", "tiles", data::TILES, "tileset.json", &|| tiles3d::write(&tileset), &|b| {
+        tiles3d::read(b).map(drop)
+    })
+}
+
+type Outcome = std::result::Result<(), Box<dyn std::error::Error>>;
+
+fn splats(bench: &Bench) -> Outcome {
+    let splats = data::splats();
+    let n = data::SPLATS;
+    bench.line("PLY", "splats", n, "scene.ply", &|| ply::write(&splats, &[]), &|b| ply::read(b).map(drop))?;
     for version in [Version::V2, Version::V3, Version::V4] {
         let options = spz::Options { version, ..spz::Options::default() };
-        let name = format!("spz {}", version as u32);
+        let name = format!("SPZ {}", version as u32);
+        let file = format!("scene.v{}.spz", version as u32);
         let read = |b: &[u8]| spz::read(b, Axes::RUB).map(drop);
-        let bytes = line(&name, SPLATS, || spz::write(&splats, &options), read)?;
-        std::fs::write(folder.join(format!("scene.v{}.spz", version as u32)), bytes)?;
+        bench.line(&name, "splats", n, &file, &|| spz::write(&splats, &options), &read)?;
     }
     let asset = Asset { splats: Some(splats), ..Asset::default() };
-    line("splat-glb", SPLATS, || glb::write(&asset), |b| glb::read(b).map(drop))?;
+    bench.line("splat GLB", "splats", n, "scene.glb", &|| glb::write(&asset), &|b| glb::read(b).map(drop))
+}
 
-    let mesh = field();
-    let triangles = mesh.triangles.len();
-    println!("{triangles} triangles, {} vertices", mesh.positions.len());
+fn triangles(bench: &Bench) -> Outcome {
+    let mesh = data::field();
+    let n = mesh.triangles.len();
     let asset = Asset {
         name: "field".into(),
         parts: vec![Part { mesh: mesh.clone(), material: Some(0) }],
         materials: vec![Material { image: Some(0), ..Material::default() }],
-        images: vec![EncodedImage { media_type: "image/png".into(), bytes: vec![0; 16] }],
+        images: vec![EncodedImage { media_type: "image/png".into(), bytes: data::PNG.to_vec() }],
         ..Asset::default()
     };
-    let bytes = line("glb", triangles, || glb::write(&asset), |b| glb::read(b).map(drop))?;
-    std::fs::write(folder.join("field.glb"), bytes)?;
-    line("usdz", triangles, || usdz::write(&asset), |b| usdz::read(b).map(drop))?;
-    let level = Level { switch_in: 1000.0, significant_size: 1.0, texture: Some(0), mesh, ..Level::default() };
-    let model = Model { name: "field".into(), textures: vec!["a.rgb".into()], levels: vec![level], ..Model::default() };
-    let read = |b: &[u8]| openflight::read(b).map(drop);
-    let bytes = line("flt faces", triangles, || openflight::write_as(&model, Geometry::Faces), read)?;
-    std::fs::write(folder.join("field.flt"), bytes)?;
-    line("flt meshes", triangles, || openflight::write_as(&model, Geometry::Meshes), read)?;
-    let pixels = (0..2048u32 * 2048).flat_map(|i| [(i / 16) as u8, (i / 4096) as u8, 90]).collect();
-    let image = Image { width: 2048, height: 2048, channels: 3, pixels };
-    println!("a texture of 2048 x 2048");
-    line("rgb", 2048 * 2048, || sgi::write(&image, "", true), |b| sgi::read(b).map(drop))?;
+    bench.line("GLB", "triangles", n, "field.glb", &|| glb::write(&asset), &|b| glb::read(b).map(drop))?;
+    bench.line("USDZ", "triangles", n, "field.usdz", &|| usdz::write(&asset), &|b| usdz::read(b).map(drop))?;
+    let level = Level { switch_in: 1000.0, significant_size: 1.0, mesh, ..Level::default() };
+    let model = Model { name: "field".into(), levels: vec![level], ..Model::default() };
+    for (name, file, geometry) in
+        [("OpenFlight faces", "faces.flt", Geometry::Faces), ("OpenFlight meshes", "meshes.flt", Geometry::Meshes)]
+    {
+        let write = || openflight::write_as(&model, geometry);
+        bench.line(name, "triangles", n, file, &write, &|b| openflight::read(b).map(drop))?;
+    }
     Ok(())
 }
 
-/// Times a writer and a reader; prints a line; the file.
-fn line(
-    name: &str,
-    count: usize,
-    write: impl Fn() -> orb_formats::Result<Vec<u8>>,
-    read: impl Fn(&[u8]) -> orb_formats::Result<()>,
-) -> orb_formats::Result<Vec<u8>> {
-    let mut best = [f64::INFINITY; 2];
-    let mut bytes = Vec::new();
+fn rasters(bench: &Bench) -> Outcome {
+    let texture = data::image(2048);
+    let n = 2048 * 2048;
+    bench.line("SGI .rgb", "pixels", n, "texture.rgb", &|| sgi::write(&texture, "", true), &|b| {
+        sgi::read(b).map(drop)
+    })?;
+    let side = 1024;
+    let grid = Grid { west: -119.0, north: 35.0, step_x: 1.0 / 1024.0, step_y: 1.0 / 1024.0, posts: true };
+    let heights = data::heights(side as usize);
+    let n = (side * side) as usize;
+    bench.line("GeoTIFF", "posts", n, "tile.tif", &|| geotiff::write(side, side, &heights, &grid, ""), &|b| {
+        geotiff::read(b).map(drop)
+    })?;
+    let image = data::image(side);
+    // Orb reads the headers of imagery alone: nothing to time.
+    let write = || jp2::write(&image, Some(&Grid { posts: false, ..grid }), "");
+    let (seconds, bytes) = bench.written("tile.jp2", &write)?;
+    println!("JPEG 2000\tpixels\t{n}\t{bytes}\t{seconds}\t-");
+    Ok(())
+}
+
+/// The `.shp`, `.shx` and `.dbf` of a full tile; the `.dbf`'s every value is looked at.
+fn features(bench: &Bench) -> Outcome {
+    let (points, table) = (data::points(), data::table()?);
+    let names = ["features.shp", "features.shx", "features.dbf"];
+    let path = |name: &str| bench.folder.join(name);
+    let write = || -> Outcome {
+        let (shp, shx) = shapefile::write(&points);
+        for (name, bytes) in names.iter().zip([shp, shx, table.write()?]) {
+            std::fs::write(path(name), bytes)?;
+        }
+        Ok(())
+    };
+    let read = || -> Outcome {
+        let points = shapefile::read(&std::fs::read(path(names[0]))?)?;
+        let table = Table::read(&std::fs::read(path(names[2]))?)?;
+        for i in 0..points.len() {
+            std::hint::black_box(table.text(i, "MODL"));
+            for name in ["HGT", "BSR", "AO1"] {
+                std::hint::black_box(table.number(i, name));
+            }
+        }
+        Ok(())
+    };
+    let (write, read) = (median(write)?, median(read)?);
+    let bytes = names.iter().map(|n| std::fs::metadata(path(n)).map(|m| m.len())).sum::<std::io::Result<u64>>()?;
+    println!("Shapefile\tpoints\t{}\t{bytes}\t{write}\t{read}", points.len());
+    Ok(())
+}
+
+struct Bench<'a> {
+    folder: &'a Path,
+}
+
+impl Bench<'_> {
+    /// Times a writer and a reader and prints their line.
+    fn line(
+        &self,
+        name: &str,
+        unit: &str,
+        count: usize,
+        file: &str,
+        write: &dyn Fn() -> Result<Vec<u8>>,
+        read: &dyn Fn(&[u8]) -> Result<()>,
+    ) -> Outcome {
+        let (written, bytes) = self.written(file, write)?;
+        let path = self.folder.join(file);
+        let read = median(|| Ok(read(&std::fs::read(&path)?)?))?;
+        println!("{name}\t{unit}\t{count}\t{bytes}\t{written}\t{read}");
+        Ok(())
+    }
+
+    /// Median seconds of writing a file, and its bytes.
+    fn written(
+        &self,
+        file: &str,
+        write: &dyn Fn() -> Result<Vec<u8>>,
+    ) -> std::result::Result<(f64, u64), Box<dyn std::error::Error>> {
+        let path = self.folder.join(file);
+        let seconds = median(|| Ok(std::fs::write(&path, write()?)?))?;
+        Ok((seconds, std::fs::metadata(&path)?.len()))
+    }
+}
+
+fn median(work: impl Fn() -> Outcome) -> std::result::Result<f64, Box<dyn std::error::Error>> {
+    let mut times = Vec::new();
     for _ in 0..ROUNDS {
         let start = Instant::now();
-        bytes = write()?;
-        best[0] = best[0].min(start.elapsed().as_secs_f64());
-        let start = Instant::now();
-        read(&bytes)?;
-        best[1] = best[1].min(start.elapsed().as_secs_f64());
+        work()?;
+        times.push(start.elapsed().as_secs_f64());
     }
-    let mega = bytes.len() as f64 / 1e6;
-    let [write, read] = best.map(|s| format!("{:6.3} s {:6.0} MB/s {:6.2} M/s", s, mega / s, count as f64 / s / 1e6));
-    println!("{name:10} {mega:7.2} MB  write {write}  read {read}");
-    Ok(bytes)
-}
-
-/// Positions on shells, as surfaces have them; the rest as trained scenes spread.
-fn splats() -> Splats {
-    let mut state = 1u64;
-    let mut next = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f32 / (1u64 << 24) as f32
-    };
-    // Sums of uniform numbers are nearly normal.
-    let mut normal = move || (0..4).map(|_| next()).sum::<f32>() - 2.0;
-    let mut out = Splats::default();
-    for _ in 0..SPLATS {
-        let v = [0; 3].map(|_| normal());
-        let length = v.iter().map(|x| x * x).sum::<f32>().sqrt().max(1e-3);
-        out.positions.push(v.map(|x| x / length * (2.0 + 0.02 * normal())));
-        out.log_scales.push([0; 3].map(|_| -5.0 + normal()));
-        out.rotations.push([0; 4].map(|_| normal()));
-        out.logit_opacities.push(2.0 + 3.0 * normal());
-        out.sh.push(std::array::from_fn(|b| [0; 3].map(|_| normal() * if b == 0 { 1.5 } else { 0.15 })));
-    }
-    out
-}
-
-fn field() -> Mesh {
-    let mut mesh = Mesh::default();
-    for y in 0..=SIDE {
-        for x in 0..=SIDE {
-            let (u, v) = (f64::from(x) / f64::from(SIDE), f64::from(y) / f64::from(SIDE));
-            mesh.positions.push([u * 10.0, v * 10.0, (u * 20.0).sin() * (v * 20.0).cos() * 0.1]);
-            mesh.normals.push([0.0, 0.0, 1.0]);
-            mesh.uvs.push([u as f32, v as f32]);
-        }
-    }
-    let at = |x: u32, y: u32| y * (SIDE + 1) + x;
-    for y in 0..SIDE {
-        for x in 0..SIDE {
-            mesh.triangles.push([at(x, y), at(x + 1, y), at(x + 1, y + 1)]);
-            mesh.triangles.push([at(x, y), at(x + 1, y + 1), at(x, y + 1)]);
-        }
-    }
-    mesh
+    times.sort_by(f64::total_cmp);
+    Ok(times[ROUNDS / 2])
 }

@@ -16,6 +16,7 @@ pub mod ply;
 pub mod sgi;
 pub mod splats;
 pub mod spz;
+mod threads;
 pub mod tiles3d;
 pub mod usdz;
 pub mod xml;

@@ -10,7 +10,7 @@ mod points;
 mod values;
 
 pub use crate::Splats;
-use crate::{Error, Result};
+use crate::{Error, Result, threads};
 use header::{Element, Header};
 pub use points::{Point, points};
 use values::Source;
@@ -35,25 +35,26 @@ pub fn write(splats: &Splats, comments: &[String]) -> Result<Vec<u8>> {
     }
     let count = splats.positions.len();
     let head = header::of_splats(count, comments);
-    let mut out = Vec::with_capacity(head.len() + count * COLUMNS * 4);
-    out.extend_from_slice(head.as_bytes());
-    let mut row = [0.0f32; COLUMNS]; // normals stay 0
-    for i in 0..count {
-        let sh = &splats.sh[i];
-        row[0..3].copy_from_slice(&splats.positions[i]);
-        row[6..9].copy_from_slice(&sh[0]);
-        for (basis, rgb) in sh[1..].iter().enumerate() {
-            for (channel, value) in rgb.iter().enumerate() {
-                row[9 + channel * (BASES - 1) + basis] = *value;
+    let mut out = head.into_bytes();
+    let start = out.len();
+    out.resize(start + count * COLUMNS * 4, 0);
+    threads::on_rows(&mut out[start..], COLUMNS * 4, |first, rows| {
+        for (i, bytes) in (first..).zip(rows.chunks_exact_mut(COLUMNS * 4)) {
+            let mut row = [0.0f32; COLUMNS]; // normals stay 0
+            let sh = &splats.sh[i];
+            row[0..3].copy_from_slice(&splats.positions[i]);
+            row[6..9].copy_from_slice(&sh[0]);
+            for (basis, rgb) in sh[1..].iter().enumerate() {
+                for (channel, value) in rgb.iter().enumerate() {
+                    row[9 + channel * (BASES - 1) + basis] = *value;
+                }
             }
+            row[54] = splats.logit_opacities[i];
+            row[55..58].copy_from_slice(&splats.log_scales[i]);
+            row[58..62].copy_from_slice(&splats.rotations[i]);
+            bytes.chunks_exact_mut(4).zip(&row).for_each(|(to, value)| to.copy_from_slice(&value.to_le_bytes()));
         }
-        row[54] = splats.logit_opacities[i];
-        row[55..58].copy_from_slice(&splats.log_scales[i]);
-        row[58..62].copy_from_slice(&splats.rotations[i]);
-        let mut bytes = [0u8; COLUMNS * 4];
-        bytes.chunks_exact_mut(4).zip(&row).for_each(|(to, value)| to.copy_from_slice(&value.to_le_bytes()));
-        out.extend_from_slice(&bytes);
-    }
+    });
     Ok(out)
 }
 
@@ -96,6 +97,9 @@ fn read_vertices(source: &mut Source, element: &Element) -> Result<Splats> {
     let targets = targets(element)?;
     source.check_room(element)?;
     let count = element.count;
+    if let Some(rows) = source.float_rows(element) {
+        return Ok(from_rows(rows, element, &targets));
+    }
     let mut splats = Splats {
         positions: Vec::with_capacity(count),
         log_scales: Vec::with_capacity(count),
@@ -129,6 +133,37 @@ fn read_vertices(source: &mut Source, element: &Element) -> Result<Splats> {
         splats.sh.push(sh);
     }
     Ok(splats)
+}
+
+/// Splats of rows that are little-endian floats and nothing else, as nearly every file has them.
+fn from_rows(rows: &[u8], element: &Element, targets: &[Target]) -> Splats {
+    let width = 4 * element.properties.len();
+    // Where the values of a splat stand in its row: the last of a name counts, missing ones stay 0.
+    let (mut shape, mut colours) = ([None; 11], [None; 3 * BASES]);
+    for (at, target) in (0..width).step_by(4).zip(targets) {
+        match *target {
+            Target::Position(axis) => shape[axis] = Some(at),
+            Target::Scale(axis) => shape[3 + axis] = Some(at),
+            Target::Rotation(part) => shape[6 + part] = Some(at),
+            Target::Opacity => shape[10] = Some(at),
+            Target::Colour(channel) => colours[channel] = Some(at),
+            Target::Rest { basis, channel } => colours[3 * basis + channel] = Some(at),
+            Target::Nowhere => {}
+        }
+    }
+    let shape = shape.map(|at| at.unwrap_or(0)); // all are there, by `targets`
+    let colours: Vec<(usize, usize)> = colours.iter().enumerate().filter_map(|(i, at)| Some((i, (*at)?))).collect();
+    threads::splats(element.count, |part| {
+        let rows = rows[part.first * width..].chunks_exact(width);
+        for (i, row) in rows.take(part.positions.len()).enumerate() {
+            let value = |at: usize| f32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]);
+            let [x, y, z, a, b, c, q @ .., opacity] = shape.map(value);
+            (part.positions[i], part.log_scales[i]) = ([x, y, z], [a, b, c]);
+            (part.rotations[i], part.logit_opacities[i]) = (q, opacity);
+            let sh = part.sh[i].as_flattened_mut();
+            colours.iter().for_each(|&(to, at)| sh[to] = value(at));
+        }
+    })
 }
 
 /// Sorts the properties by name; all but the higher coefficients must be there.

@@ -43,6 +43,14 @@ impl Splats {
                 ),
             ));
         }
+        let whole = |values: &[f32]| values.iter().fold(true, |all, x| all & x.is_finite());
+        let shapes = [self.positions.as_flattened(), self.log_scales.as_flattened(), self.rotations.as_flattened()];
+        if shapes.iter().all(|s| whole(s))
+            && whole(&self.logit_opacities)
+            && whole(self.sh.as_flattened().as_flattened())
+        {
+            return Ok(());
+        }
         let finite = |i: &usize| {
             let shape = self.positions[*i].iter().chain(&self.log_scales[*i]).chain(&self.rotations[*i]);
             let rest = self.sh[*i].iter().flatten().chain([&self.logit_opacities[*i]]);

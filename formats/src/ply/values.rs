@@ -76,6 +76,15 @@ impl Source<'_> {
         Ok(())
     }
 
+    /// The bytes of an element whose values are little-endian floats and nothing else; the element has been checked for
+    /// room.
+    pub fn float_rows(&self, element: &Element) -> Option<&[u8]> {
+        let floats = element.properties.iter().all(|p| p.kind == Kind::F32 && p.list.is_none());
+        let length = element.count.checked_mul(4 * element.properties.len())?;
+        let rows = self.bytes.get(self.at..self.at.checked_add(length)?)?;
+        (floats && self.encoding == Encoding::LittleEndian).then_some(rows)
+    }
+
     pub fn skip(&mut self, element: &Element) -> Result<()> {
         if element.properties.is_empty() {
             return Ok(());

@@ -25,6 +25,7 @@
 
 mod axes;
 mod container;
+mod huffman;
 mod pack;
 #[cfg(test)]
 mod tests;
@@ -93,10 +94,15 @@ struct Header {
 }
 
 impl Header {
+    /// Bytes of each attribute of a splat, in file order.
+    fn widths(&self) -> [usize; 6] {
+        let rotation = if self.version == Version::V2 { 3 } else { 4 };
+        [9, 1, 3, 3, rotation, 3 * (BASES[self.degree] - 1)]
+    }
+
     /// Bytes of each attribute, in file order.
     fn sizes(&self) -> [usize; 6] {
-        let rotation = if self.version == Version::V2 { 3 } else { 4 };
-        [9, 1, 3, 3, rotation, 3 * (BASES[self.degree] - 1)].map(|each| each * self.count)
+        self.widths().map(|each| each * self.count)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::axes::{Axes, Flip};
 use super::{FORMAT, Header, Version};
 use crate::splats::{BASES, logit, sigmoid, unit};
-use crate::{Error, Result, Splats};
+use crate::{Error, Result, Splats, threads};
 
 /// The colour coefficient is stored times this, about 0.5: wider than a colour, since other degrees may bring it back.
 const COLOR_SCALE: f32 = 0.15;
@@ -24,35 +24,43 @@ pub fn fractional_bits(positions: &[[f32; 3]]) -> Result<u32> {
 /// The six streams in file order.
 pub fn pack(splats: &Splats, header: &Header, axes: Axes) -> [Vec<u8>; 6] {
     let flip = Flip::between(axes, Axes::RUB);
-    let mut streams = header.sizes().map(Vec::with_capacity);
+    let widths = header.widths();
     let one = f64::from(1u32 << header.fractional_bits);
-    for p in &splats.positions {
-        for (x, sign) in p.iter().zip(flip.position) {
-            let fixed = (f64::from(x * sign) * one).round() as i32;
-            streams[0].extend_from_slice(&fixed.to_le_bytes()[..3]);
+    let mut streams = header.sizes().map(|size| vec![0; size]);
+    let mut fill = |stream: usize, one_splat: &(dyn Fn(usize, &mut [u8]) + Sync)| {
+        let width = widths[stream];
+        if width > 0 {
+            threads::on_rows(&mut streams[stream], width, |first, rows| {
+                rows.chunks_exact_mut(width).enumerate().for_each(|(i, row)| one_splat(first + i, row));
+            });
         }
-    }
-    streams[1].extend(splats.logit_opacities.iter().map(|&o| byte(sigmoid(o) * 255.0)));
-    let color = |c: f32| byte(c * (COLOR_SCALE * 255.0) + 127.5);
-    streams[2].extend(splats.sh.iter().flat_map(|sh| sh[0].map(color)));
-    streams[3].extend(splats.log_scales.iter().flat_map(|s| s.map(|x| byte((x + 10.0) * 16.0))));
-    for q in &splats.rotations {
-        let [w, x, y, z] = unit(*q).unwrap_or([1.0, 0.0, 0.0, 0.0]);
+    };
+    fill(0, &|i, row| {
+        for ((x, sign), to) in splats.positions[i].iter().zip(flip.position).zip(row.chunks_exact_mut(3)) {
+            let fixed = (f64::from(x * sign) * one).round() as i32;
+            to.copy_from_slice(&fixed.to_le_bytes()[..3]);
+        }
+    });
+    fill(1, &|i, row| row[0] = byte(sigmoid(splats.logit_opacities[i]) * 255.0));
+    fill(2, &|i, row| row.copy_from_slice(&splats.sh[i][0].map(|c| byte(c * (COLOR_SCALE * 255.0) + 127.5))));
+    fill(3, &|i, row| row.copy_from_slice(&splats.log_scales[i].map(|x| byte((x + 10.0) * 16.0))));
+    fill(4, &|i, row| {
+        let [w, x, y, z] = unit(splats.rotations[i]).unwrap_or([1.0, 0.0, 0.0, 0.0]);
         let q = [x * flip.rotation[0], y * flip.rotation[1], z * flip.rotation[2], w];
         match header.version {
             Version::V2 => {
                 let sign = if w < 0.0 { -127.5 } else { 127.5 };
-                streams[4].extend(q[..3].iter().map(|x| byte(x * sign + 127.5)));
+                row.iter_mut().zip(q).for_each(|(to, x)| *to = byte(x * sign + 127.5));
             }
-            _ => streams[4].extend(smallest_three(q).to_le_bytes()),
+            _ => row.copy_from_slice(&smallest_three(q).to_le_bytes()),
         }
-    }
-    for sh in &splats.sh {
-        for basis in 1..BASES[header.degree] {
+    });
+    fill(5, &|i, row| {
+        for (basis, to) in (1..).zip(row.chunks_exact_mut(3)) {
             let bits = SH_BITS[usize::from(basis >= BASES[1])];
-            streams[5].extend(sh[basis].map(|c| harmonic(c * flip.sh[basis], bits)));
+            to.copy_from_slice(&splats.sh[i][basis].map(|c| harmonic(c * flip.sh[basis], bits)));
         }
-    }
+    });
     streams
 }
 
@@ -61,9 +69,7 @@ pub fn unpack(header: &Header, streams: &[Vec<u8>; 6], axes: Axes) -> Splats {
     let flip = Flip::between(Axes::RUB, axes);
     let one = f64::from(1u32 << header.fractional_bits);
     let fixed = |b: &[u8]| f64::from(i32::from_le_bytes([0, b[0], b[1], b[2]]) >> 8) / one;
-    let position = |b: &[u8]| std::array::from_fn(|i| fixed(&b[3 * i..3 * i + 3]) as f32 * flip.position[i]);
     let triple = |b: &[u8], f: fn(u8) -> f32| [f(b[0]), f(b[1]), f(b[2])];
-    let width = if header.version == Version::V2 { 3 } else { 4 };
     let rotation = |b: &[u8]| {
         let [x, y, z, w] = match *b {
             [x, y, z] => first_three([x, y, z]),
@@ -72,30 +78,23 @@ pub fn unpack(header: &Header, streams: &[Vec<u8>; 6], axes: Axes) -> Splats {
         };
         [w, x * flip.rotation[0], y * flip.rotation[1], z * flip.rotation[2]]
     };
-    let color = |b: u8| (f32::from(b) / 255.0 - 0.5) / COLOR_SCALE;
-    let mut sh: Vec<[[f32; 3]; 16]> = streams[2]
-        .chunks_exact(3)
-        .map(|b| {
-            let mut sh = [[0.0; 3]; 16];
-            sh[0] = triple(b, color);
-            sh
-        })
-        .collect();
-    let bases = BASES[header.degree] - 1;
-    if bases > 0 {
-        for (sh, bytes) in sh.iter_mut().zip(streams[5].chunks_exact(3 * bases)) {
-            for (basis, b) in bytes.chunks_exact(3).enumerate() {
-                sh[basis + 1] = triple(b, |b| (f32::from(b) - 128.0) / 128.0).map(|c| c * flip.sh[basis + 1]);
+    let opacities: Vec<f32> = (0..=255u8).map(|a| logit(f32::from(a) / 255.0, MAX_LOGIT)).collect();
+    let widths = header.widths();
+    let row = |stream: usize, i: usize| &streams[stream][i * widths[stream]..(i + 1) * widths[stream]];
+    threads::splats(header.count, |part| {
+        for i in 0..part.positions.len() {
+            let at = part.first + i;
+            let place = row(0, at);
+            part.positions[i] = std::array::from_fn(|a| fixed(&place[3 * a..3 * a + 3]) as f32 * flip.position[a]);
+            part.logit_opacities[i] = opacities[usize::from(streams[1][at])];
+            part.log_scales[i] = triple(row(3, at), |b| f32::from(b) / 16.0 - 10.0);
+            part.rotations[i] = rotation(row(4, at));
+            part.sh[i][0] = triple(row(2, at), |b| (f32::from(b) / 255.0 - 0.5) / COLOR_SCALE);
+            for ((sh, b), sign) in part.sh[i][1..].iter_mut().zip(row(5, at).chunks_exact(3)).zip(&flip.sh[1..]) {
+                *sh = triple(b, |b| (f32::from(b) - 128.0) / 128.0).map(|c| c * sign);
             }
         }
-    }
-    Splats {
-        positions: streams[0].chunks_exact(9).map(position).collect(),
-        logit_opacities: streams[1].iter().map(|&a| logit(f32::from(a) / 255.0, MAX_LOGIT)).collect(),
-        log_scales: streams[3].chunks_exact(3).map(|b| triple(b, |b| f32::from(b) / 16.0 - 10.0)).collect(),
-        rotations: streams[4].chunks_exact(width).map(rotation).collect(),
-        sh,
-    }
+    })
 }
 
 fn byte(x: f32) -> u8 {
