@@ -13,6 +13,7 @@ pub struct Dataset {
 }
 
 pub const ELEVATION: Dataset = Dataset { code: 1, name: "001_Elevation" };
+pub const MIN_MAX_ELEVATION: Dataset = Dataset { code: 2, name: "002_MinMaxElevation" };
 pub const IMAGERY: Dataset = Dataset { code: 4, name: "004_Imagery" };
 pub const GS_FEATURE: Dataset = Dataset { code: 100, name: "100_GSFeature" };
 pub const GT_FEATURE: Dataset = Dataset { code: 101, name: "101_GTFeature" };
@@ -22,8 +23,9 @@ pub const GS_MODEL_TEXTURE: Dataset = Dataset { code: 301, name: "301_GSModelTex
 pub const GS_MODEL_DESCRIPTOR: Dataset = Dataset { code: 303, name: "303_GSModelDescriptor" };
 
 /// The datasets that this crate reads and writes.
-pub const DATASETS: [Dataset; 8] = [
+pub const DATASETS: [Dataset; 9] = [
     ELEVATION,
+    MIN_MAX_ELEVATION,
     IMAGERY,
     GS_FEATURE,
     GT_FEATURE,

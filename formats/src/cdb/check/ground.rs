@@ -1,12 +1,12 @@
-//! Rule 13: elevation and imagery.
+//! Rule 13: elevation, its lowest and highest values, and imagery.
 
 use std::collections::BTreeSet;
 
 use super::Findings;
 use crate::Result;
 use crate::cdb::geocell::Tile;
-use crate::cdb::ground::{SELECTOR, elevation_grid, imagery_grid, side};
-use crate::cdb::names::{self, Dataset, ELEVATION, IMAGERY, TileFile};
+use crate::cdb::ground::{HIGHEST, LOWEST, SELECTOR, elevation_grid, heights, imagery_grid, side};
+use crate::cdb::names::{self, Dataset, ELEVATION, IMAGERY, MIN_MAX_ELEVATION, TileFile};
 use crate::cdb::store::{self, Store};
 use crate::geotiff::{self, Grid, Samples};
 use crate::jp2;
@@ -15,7 +15,7 @@ use crate::jp2;
 const TOLERANCE: f64 = 0.01;
 
 pub fn check(store: &dyn Store, files: &[(String, TileFile)], findings: &mut Findings) -> Result<()> {
-    for (dataset, extension) in [(ELEVATION, "tif"), (IMAGERY, "jp2")] {
+    for (dataset, extension) in [(ELEVATION, "tif"), (MIN_MAX_ELEVATION, "tif"), (IMAGERY, "jp2")] {
         let own = || files.iter().filter(move |(_, f)| f.dataset == dataset);
         let tiles: BTreeSet<Tile> = own().filter(|(_, f)| f.selector == SELECTOR).map(|(_, f)| f.tile).collect();
         for (path, file) in own() {
@@ -28,7 +28,11 @@ pub fn check(store: &dyn Store, files: &[(String, TileFile)], findings: &mut Fin
                 findings.add(13, path, format!("the coarser tile {parent} is missing"));
             }
             let Some(bytes) = store::read(store, path)? else { continue };
-            let fault = if dataset == ELEVATION { elevation(&bytes, file.tile) } else { imagery(&bytes, file.tile) };
+            let fault = match dataset {
+                ELEVATION => elevation(&bytes, file.tile),
+                MIN_MAX_ELEVATION => extremes(store, &bytes, file),
+                _ => imagery(&bytes, file.tile),
+            };
             if let Err(text) = fault {
                 findings.add(13, path, text);
             }
@@ -40,21 +44,57 @@ pub fn check(store: &dyn Store, files: &[(String, TileFile)], findings: &mut Fin
 /// Whether rule 13 speaks of a path.
 pub fn is_ground(path: &str) -> bool {
     let of = |d: Dataset| path.starts_with("Tiles/") && path.split('/').nth(3) == Some(d.name);
-    of(ELEVATION) || of(IMAGERY)
+    of(ELEVATION) || of(MIN_MAX_ELEVATION) || of(IMAGERY)
 }
 
 fn elevation(bytes: &[u8], tile: Tile) -> Result<(), String> {
+    raster(bytes, tile, 2, elevation_grid(tile))
+}
+
+/// Requirement 94; the lowest value of a cell lies below its highest and below the post at its south-west corner, and so on.
+fn extremes(store: &dyn Store, bytes: &[u8], file: &TileFile) -> Result<(), String> {
+    let tile = file.tile;
+    raster(bytes, tile, 1, imagery_grid(tile))?;
+    let other = match file.selector {
+        LOWEST => HIGHEST,
+        HIGHEST => LOWEST,
+        (s, t) => return Err(format!("component S{s:03}_T{t:03}, expected S001_T001 (lowest) or S001_T002 (highest)")),
+    };
+    let read = |dataset, selector| heights(store, tile, dataset, selector).map_err(|e| e.to_string());
+    let own = read(MIN_MAX_ELEVATION, file.selector)?.unwrap_or_default();
+    let Some(other) = read(MIN_MAX_ELEVATION, other)? else {
+        let path = names::path(tile, MIN_MAX_ELEVATION, other, "tif");
+        return Err(format!("its other half {path} is missing"));
+    };
+    // Integers of either may be rounded.
+    let step = 2f32.powi(-i32::from(tile.lod.max(0)));
+    let (sign, word) = if file.selector == LOWEST { (1.0, "below") } else { (-1.0, "above") };
+    let posts = read(ELEVATION, SELECTOR)?.unwrap_or_default();
+    for (cell, value) in own.iter().enumerate() {
+        for bound in other.get(cell).into_iter().chain(posts.get(cell)) {
+            if (value - bound) * sign > step {
+                let n = side(tile.lod) as usize;
+                let (column, row) = (cell % n, cell / n);
+                return Err(format!("{value} m at column {column}, row {row}, expected {word} {bound} m"));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn raster(bytes: &[u8], tile: Tile, most: usize, grid: Grid) -> Result<(), String> {
     let raster = geotiff::read(bytes).map_err(|e| e.to_string())?;
     sides(raster.width, raster.height, tile)?;
-    if !(1..=2).contains(&raster.bands) {
-        return Err(format!("{} bands, expected heights and perhaps the kind of mesh", raster.bands));
+    if !(1..=most).contains(&raster.bands) {
+        let kinds = if most == 1 { "heights alone" } else { "heights and perhaps the kind of mesh" };
+        return Err(format!("{} bands, expected {kinds}", raster.bands));
     }
     match &raster.samples {
         Samples::Bytes(_) => return Err("unsigned bytes, expected floats or signed integers".into()),
         Samples::Floats(v) if v.iter().any(|h| !h.is_finite()) => return Err("heights that are no numbers".into()),
         _ => {}
     }
-    raster.grid.map_or(Ok(()), |grid| place(grid, elevation_grid(tile)))
+    raster.grid.map_or(Ok(()), |found| place(found, grid))
 }
 
 fn imagery(bytes: &[u8], tile: Tile) -> Result<(), String> {

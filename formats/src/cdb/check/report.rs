@@ -135,9 +135,10 @@ const RULES: [Rule; 13] = [
     },
     Rule {
         number: 13,
-        title: "elevation and imagery have the samples and the registration of their level, in pyramids complete to LC10",
-        source: "Vol. 1 Req 14-16, 85-87, §3.6.1",
-        abstract_tests: "13-16, 85-89, 101",
+        title: "elevation, its lowest and highest values and imagery have the samples and the registration of their level, in \
+                pyramids complete to LC10",
+        source: "Vol. 1 Req 14-16, 85-87, 94, §3.6.1",
+        abstract_tests: "13-16, 85-89, 94, 101",
         about: GROUND,
     },
 ];

@@ -4,19 +4,23 @@
 //! and south edges (Requirements 85, 86), imagery (004) at the centres of its pixels (Requirement 87); a tile has
 //! 1024² samples, 2^(LOD + 10) squared below LOD 0, and is never partly filled; every coarser tile to LOD −10 exists.
 //!
+//! With the terrain come the lowest and highest values of its coarser levels (002, Requirement 94).
+//!
 //! Heights are metres above the ellipsoid. Around the flat part the ground goes over, over twice its radius, into what the
 //! store holds, or else what the caller knows, or else stays as high as the model.
 
+mod extremes;
 mod grid;
 mod imagery;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::geocell::{DEGREE, LODS, Tile};
-use super::names::{self, ELEVATION, IMAGERY};
+use super::names::{self, Dataset, ELEVATION, IMAGERY};
 use super::store::{self, Store};
 use crate::geotiff::{self, Samples};
 use crate::{Error, File, Result};
+pub use extremes::{HIGHEST, LOWEST};
 pub use grid::{elevation_grid, imagery_grid, side};
 
 /// Primary terrain elevation, and yearly visible imagery.
@@ -172,16 +176,17 @@ fn elevation(
             coarser(&fine, tile, coarse);
         }
     }
-    let written = rasters.into_iter().map(|(tile, heights)| {
+    let (mut files, without) = extremes::tiles(store, &rasters, ground.marking)?;
+    if let Some(path) = without {
+        notes.push(format!("The store's terrain has no lowest and highest values ({path}): none are added."));
+    }
+    for (tile, heights) in rasters {
         let side = side(tile.lod);
         let bytes = geotiff::write(side, side, &heights, &elevation_grid(tile), ground.marking)?;
-        Ok(File {
-            path: names::path(tile, ELEVATION, SELECTOR, "tif"),
-            bytes,
-            media_type: "image/tiff; application=geotiff",
-        })
-    });
-    written.collect()
+        let path = names::path(tile, ELEVATION, SELECTOR, "tif");
+        files.push(File { path, bytes, media_type: "image/tiff; application=geotiff" });
+    }
+    Ok(files)
 }
 
 /// Level with the model about it, and smoothly back to what was there.
@@ -236,7 +241,16 @@ fn coarser(fine: &[f32], tile: Tile, parent: &mut [f32]) {
 
 /// The heights of a tile of the store.
 fn stored(store: &dyn Store, tile: Tile) -> Result<Option<Vec<f32>>> {
-    let path = names::path(tile, ELEVATION, SELECTOR, "tif");
+    heights(store, tile, ELEVATION, SELECTOR)
+}
+
+/// Metres of a tile of terrain, or of its lowest or highest, row by row from the north-west; none where the store has no
+/// such tile.
+///
+/// # Errors
+/// [`Error::Unsupported`] for one that cannot be read, has another size than its level, or a number that is none.
+pub fn heights(store: &dyn Store, tile: Tile, dataset: Dataset, selector: (u16, u16)) -> Result<Option<Vec<f32>>> {
+    let path = names::path(tile, dataset, selector, "tif");
     let Some(bytes) = store::read(store, &path)? else { return Ok(None) };
     let raster = geotiff::read(&bytes).map_err(|e| store::unreadable(&path, &e))?;
     let side = side(tile.lod);

@@ -38,7 +38,7 @@ fn a_new_store_gets_a_whole_pyramid_that_passes_its_own_check() {
         assert_eq!((header.width, header.bits), (side(lod), vec![8; 3]));
         assert!(header.texts[0].contains("CLASSIFICATION: UNCLASSIFIED"));
     }
-    assert_eq!(store.files.len(), 30);
+    assert_eq!(store.files.len(), 30 + 22, "terrain and imagery to LOD 4, the lowest and highest to LOD 0");
     let broken: Vec<_> = cdb::check(&store).unwrap().into_iter().filter(|f| f.rule == 13).collect();
     assert_eq!(broken, []);
 }
@@ -74,6 +74,93 @@ fn terrain_is_level_under_the_model_and_itself_away_from_it() {
     // Posts that coincide agree from level to level.
     let fine = height_at(&store, 4, 34.5, -118.5);
     assert_eq!(height_at(&store, 3, 34.5, -118.5), fine);
+}
+
+/// Every post that any level has, inside the bounds of every level; and bounds no wider than the posts about a cell make them.
+#[test]
+fn the_lowest_and_highest_bound_the_terrain_and_nothing_more() {
+    let mut known = |a: f64, b: f64| Some(600.0 + 40.0 * (a * 700.0).sin() + 25.0 * (b * 900.0).cos());
+    let added = add_ground(&cdb::Empty, Ground { terrain: Some(&mut known), ..ground() }).unwrap();
+    let mut store = Memory::default();
+    store.write(added.files);
+    let bounds = |lod: i8, selector| {
+        let tile = Tile::containing(PLACE.0, PLACE.1, lod).unwrap();
+        super::heights(&store, tile, names::MIN_MAX_ELEVATION, selector).unwrap().unwrap()
+    };
+    for lod in [0, -3, -10] {
+        let (low, high) = (bounds(lod, LOWEST), bounds(lod, HIGHEST));
+        let n = side(lod) as usize;
+        let cells = imagery_grid(Tile::containing(PLACE.0, PLACE.1, lod).unwrap());
+        let (mut lowest, mut highest) = (vec![f32::INFINITY; n * n], vec![f32::NEG_INFINITY; n * n]);
+        for fine in lod..=4 {
+            let tile = Tile::containing(PLACE.0, PLACE.1, fine).unwrap();
+            let (posts, grid, m) = (heights(&store, tile), elevation_grid(tile), side(fine) as usize);
+            for (i, height) in posts.iter().enumerate() {
+                let (latitude, longitude) = grid::at(&grid, i % m, i / m);
+                // A post on an edge belongs to the cells on both sides: here to the one north-east of it.
+                let column = ((longitude - cells.west) / cells.step_x + 1e-6).floor() as usize;
+                let row = ((cells.north - latitude) / cells.step_y - 1e-6).floor() as usize;
+                let cell = row * n + column;
+                assert!(low[cell] <= *height && *height <= high[cell], "LOD {lod} of {fine}: {row} {column}");
+                (lowest[cell], highest[cell]) = (lowest[cell].min(*height), highest[cell].max(*height));
+            }
+        }
+        // Four cells that meet hold every post of the middle one's edges.
+        for row in 1..n.saturating_sub(1) {
+            for column in 1..n - 1 {
+                let near = |v: &[f32], pick: fn(f32, f32) -> f32| {
+                    let cells = (row - 1..=row).flat_map(|r| (column..=column + 1).map(move |c| r * n + c));
+                    cells.map(|c| v[c]).reduce(pick).unwrap()
+                };
+                let cell = row * n + column;
+                assert!(low[cell] >= near(&lowest, f32::min) && high[cell] <= near(&highest, f32::max));
+            }
+        }
+    }
+    let all: Vec<f32> =
+        (-10..=4).flat_map(|lod| heights(&store, Tile::containing(PLACE.0, PLACE.1, lod).unwrap())).collect();
+    assert_eq!(bounds(-10, LOWEST), [all.iter().copied().fold(f32::INFINITY, f32::min)]);
+    assert_eq!(bounds(-10, HIGHEST), [all.iter().copied().fold(f32::NEG_INFINITY, f32::max)]);
+}
+
+#[test]
+fn wrong_bounds_and_lost_halves_are_found() {
+    let mut store = Memory::default();
+    store.write(add_ground(&cdb::Empty, ground()).unwrap().files);
+    let tile = Tile::containing(PLACE.0, PLACE.1, -6).unwrap();
+    let path = |selector| names::path(tile, names::MIN_MAX_ELEVATION, selector, "tif");
+    let found = |store: &Memory| {
+        let findings = cdb::check(store).unwrap();
+        findings.into_iter().filter(|f| f.rule == 13).map(|f| format!("{} {}", f.path, f.text)).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&store), Vec::<String>::new());
+    let mut values = vec![740.0; 256];
+    values[37] = 745.0;
+    let write = |values: &[f32]| geotiff::write(16, 16, values, &imagery_grid(tile), "").unwrap();
+    let mut above = store.clone();
+    above.files.insert(path(LOWEST), write(&values));
+    assert!(
+        found(&above).iter().any(|f| f.contains("745 m at column 5, row 2, expected below 740 m")),
+        "{:?}",
+        found(&above)
+    );
+    let mut half = store.clone();
+    half.files.remove(&path(HIGHEST));
+    assert!(found(&half).iter().any(|f| f.contains("its other half")), "{:?}", found(&half));
+    let mut posts = store.clone();
+    values[37] = 740.0;
+    posts.files.insert(path(LOWEST), geotiff::write(16, 16, &values, &elevation_grid(tile), "").unwrap());
+    assert!(found(&posts).iter().any(|f| f.contains("it says that it lies at")), "{:?}", found(&posts));
+}
+
+#[test]
+fn terrain_without_bounds_gets_none_and_says_so() {
+    let mut store = Memory::default();
+    let files = add_ground(&cdb::Empty, ground()).unwrap().files.into_iter();
+    store.write(files.filter(|f| !f.path.contains("002_")));
+    let added = add_ground(&store, Ground { height: 750.0, ..ground() }).unwrap();
+    assert!(added.files.iter().all(|f| !f.path.contains("002_")));
+    assert!(added.notes.iter().any(|n| n.contains("no lowest and highest values")), "{:?}", added.notes);
 }
 
 #[test]
