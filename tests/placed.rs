@@ -381,7 +381,7 @@ fn usdz_corners() {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/clients/usdz_points.py");
     for placement in places() {
         let dir = tempfile::tempdir().unwrap();
-        let file = export::usdz(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels()).unwrap();
+        let file = export::usdz(&to_metres.levels(std::slice::from_ref(&level)), None, &placement, &labels()).unwrap();
         write(dir.path(), &[file]);
         let package = dir.path().join("box.usdz");
         let said = ask(python.to_str().unwrap(), &[script, package.to_str().unwrap()], "").unwrap();

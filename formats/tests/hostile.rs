@@ -248,17 +248,22 @@ fn glb_reader() {
 
 #[test]
 fn usdz_reader() {
-    attack("usdz", vec![usdz::write(&asset()).unwrap()], |bytes| drop(usdz::read(bytes)));
+    let field = Asset { splats: Some(splats()), ..asset() };
+    attack("usdz", [asset(), field].map(|a| usdz::write(&a).unwrap()).to_vec(), |bytes| drop(usdz::read(bytes)));
 }
 
 /// Behind the check sums of the package.
 #[test]
 fn usdz_reader_inside_its_layer() {
-    let package = usdz::write(&asset()).unwrap();
-    let mut layer = Vec::new();
-    let mut archive = zip::ZipArchive::new(Cursor::new(&package)).unwrap();
-    archive.by_index(0).unwrap().read_to_end(&mut layer).unwrap();
-    attack("usdz-inside", vec![layer], |bytes| {
+    let layer = |asset: &Asset| {
+        let package = usdz::write(asset).unwrap();
+        let mut layer = Vec::new();
+        let mut archive = zip::ZipArchive::new(Cursor::new(&package)).unwrap();
+        archive.by_index(0).unwrap().read_to_end(&mut layer).unwrap();
+        layer
+    };
+    let field = Asset { splats: Some(splats()), ..asset() };
+    attack("usdz-inside", vec![layer(&asset()), layer(&field)], |bytes| {
         let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
         let options = zip::write::SimpleFileOptions::default()
             .compression_method(zip::CompressionMethod::Stored)

@@ -109,6 +109,41 @@ fn openusd_opens_packages_under_arkits_rules() {
     }
 }
 
+/// The field beside the meshes, value for value; ARKit's rules do not know it, OpenUSD's own since 26.03 do.
+#[test]
+fn openusd_reads_the_field_of_gaussians() {
+    let folder = Folder::new("usdz-field");
+    let field = splats(500, 2);
+    let whole = Asset { splats: Some(field.clone()), ..asset(false) };
+    std::fs::write(folder.0.join("field.usdz"), usdz::write(&whole).unwrap()).unwrap();
+    let python = std::env::var("ORB_PYTHON").unwrap_or_else(|_| "python3".into());
+    let version = Command::new(&python).args(["-c", "from pxr import Usd; print(*Usd.GetVersion())"]).output();
+    let Some(version) = version.ok().filter(|o| o.status.success()) else {
+        return missing("OpenUSD (pip install usd-core) in ORB_PYTHON");
+    };
+    let output = Command::new(&python)
+        .args([&script("usdz_check.py"), "field.usdz"])
+        .current_dir(&folder.0)
+        .output()
+        .expect("the Python that answered before");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains("meshes 2") && said.contains("splats 500 degree 2 coefficients 4500 last"), "{said}");
+    let line = said.lines().find(|l| l.contains(" last ")).unwrap();
+    let found: Vec<f32> = line.split(" last ").nth(1).unwrap().split(' ').map(|x| x.parse().unwrap()).collect();
+    let mut expected = field.positions[499].to_vec();
+    expected.extend(field.log_scales[499].map(f32::exp));
+    expected.extend(field.rotations[499]);
+    expected.push(1.0 / (1.0 + (-field.logit_opacities[499]).exp()));
+    expected.extend(field.sh[499][8]);
+    assert_eq!(found.len(), expected.len(), "{line}");
+    assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-5), "{found:?} {expected:?}");
+    // Version 0.26.3 and later have the schema.
+    if String::from_utf8_lossy(&version.stdout).split(' ').nth(1).and_then(|m| m.parse().ok()) >= Some(26) {
+        assert!(line.contains("schema UsdVolParticleField3DGaussianSplat"), "{line}");
+        assert!(said.contains("field.usdz OK"), "{said}");
+    }
+}
+
 /// Runs splat-transform; `None` where it is missing.
 fn splat_transform(arguments: &[&str], folder: &Path) -> Option<()> {
     let package = node_package("@playcanvas/splat-transform")?;

@@ -165,6 +165,10 @@ pub struct WriteArgs {
     /// What the tiles of 3D Tiles hold.
     #[arg(long, value_enum, default_value_t)]
     pub tiles: TileContent,
+
+    /// Put the Gaussians beside the mesh of a USDZ, as OpenUSD's ParticleField3DGaussianSplat (26.03 and later).
+    #[arg(long)]
+    pub usdz_splats: bool,
 }
 
 impl WriteArgs {
@@ -244,6 +248,7 @@ pub struct Content<'a> {
     pub spz: spz::Version,
     pub flt_geometry: openflight::Geometry,
     pub tiles: TileContent,
+    pub usdz_splats: bool,
 }
 
 /// Writes every format that was asked for, each once. Returns the model's name in the CDB store, if one was written.
@@ -280,7 +285,10 @@ pub fn publish(
             }
             Format::Flt => ("model", export::flt(levels, content.flt_geometry, placement, labels)?),
             Format::Glb => ("model", export::glb(levels, placement, labels)?),
-            Format::Usdz => ("model", vec![export::usdz(levels, placement, labels)?]),
+            Format::Usdz => {
+                let field = content.usdz_splats.then(gaussians).transpose()?;
+                ("model", vec![export::usdz(levels, field, placement, labels)?])
+            }
             Format::Tiles3d if content.tiles == TileContent::Splats => {
                 ("gaussians", export::splat_tiles3d(gaussians()?, placement, labels)?)
             }

@@ -372,6 +372,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         catalogue: &plan.catalogue,
         spz: args.write.spz_version.into(),
         flt_geometry: args.write.flt_geometry.into(),
+        usdz_splats: args.write.usdz_splats,
         tiles: args.write.tiles,
     };
     // The sidecars write the scene's place into the KMZ; the PLY is there.

@@ -4,9 +4,11 @@ use orb_formats::asset::{EncodedImage, Material, Part};
 use orb_formats::tiles3d::{self, Tile, Tileset, Volume};
 use orb_formats::{Asset, File, glb, usdz};
 
+use super::scene::{splat_asset, y_up};
 use super::{Labels, PlacedLevel, format_error, label, marked_png};
 use crate::geo::{Enu, Placement};
 use crate::mesh::Details;
+use crate::splat::Gaussians;
 use crate::{Error, Result};
 
 /// One file a level, the finest under the model's own name (`orb_formats::glb` says why).
@@ -19,10 +21,17 @@ pub fn glb(levels: &[PlacedLevel], placement: &Placement, labels: &Labels) -> Re
     levels.iter().enumerate().map(one).collect()
 }
 
-/// The finest level: viewers of USDZ have no levels of detail.
-pub fn usdz(levels: &[PlacedLevel], placement: &Placement, labels: &Labels) -> Result<File> {
+/// The finest level, since viewers of USDZ have no levels of detail; beside it the Gaussians, where they are wanted.
+pub fn usdz(
+    levels: &[PlacedLevel],
+    gaussians: Option<&Gaussians>,
+    placement: &Placement,
+    labels: &Labels,
+) -> Result<File> {
     let finest = levels.first().ok_or_else(|| Error::usage("usdz").found("no surface"))?;
-    let bytes = usdz::write(&asset(finest, placement, labels)?).map_err(format_error)?;
+    let splats = gaussians.and_then(|g| splat_asset(&y_up(g), placement, labels).splats);
+    let whole = Asset { splats, ..asset(finest, placement, labels)? };
+    let bytes = usdz::write(&whole).map_err(format_error)?;
     Ok(File { path: format!("{}.usdz", labels.stem), bytes, media_type: "model/vnd.usdz+zip" })
 }
 
@@ -189,7 +198,7 @@ mod tests {
         }
         let looks = &back.materials[0];
         assert_eq!([looks.image, looks.normal_image, looks.occlusion_image], [Some(0), Some(1), Some(2)]);
-        let package = usdz(&levels, &placement(), &labels()).unwrap();
+        let package = usdz(&levels, None, &placement(), &labels()).unwrap();
         assert_eq!(usdz::read(&package.bytes).unwrap().parts[0].mesh.uvs, levels[0].mesh.uvs);
         assert_eq!(inband::mismatch(&package.path, &package.bytes, &Marking::CUI), None);
         assert!(inband::mismatch(&package.path, &package.bytes, &Marking::UNCLASSIFIED).is_some());

@@ -43,6 +43,18 @@ for path in sys.argv[1:]:
         f"default {stage.GetDefaultPrim().GetPath()} meshes {len(meshes)} triangles {triangles}",
         f"data {dict(stage.GetRootLayer().customLayerData)}",
     )
+    fields = [p for p in stage.Traverse() if p.GetTypeName() == "ParticleField3DGaussianSplat"]
+    for prim in fields:
+        # The schema came with 26.03; earlier readers know the values all the same.
+        names = ("positions", "scales", "orientations", "opacities", "radiance:sphericalHarmonicsCoefficients")
+        positions, scales, orientations, opacities, harmonics = (prim.GetAttribute(n).Get() for n in names)
+        degree = prim.GetAttribute("radiance:sphericalHarmonicsDegree").Get()
+        turn = orientations[-1]
+        last = [*positions[-1], *scales[-1], turn.GetReal(), *turn.GetImaginary(), opacities[-1], *harmonics[-1]]
+        known = prim.IsDefined() and prim.GetPrimTypeInfo().GetSchemaType().typeName
+        print(f"{prim.GetPath()} schema {known} splats {len(positions)} degree {degree} coefficients {len(harmonics)} last", *last)
+    if fields and hasattr(UsdUtils, "ComplianceChecker"):
+        print(path, "is for OpenUSD 26.03 and later: ARKit knows no fields of Gaussians")
     checks = arkit_failures(path) if hasattr(UsdUtils, "ComplianceChecker") else validation_errors(stage)
     for line in checks:
         print("  ", line)

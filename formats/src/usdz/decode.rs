@@ -299,6 +299,7 @@ impl Crate<'_> {
             let word = payload as u32;
             return Ok(match kind {
                 code::BOOL => Value::Bool(word != 0),
+                code::INT => Value::Int(word as i32),
                 code::FLOAT => Value::Float(f32::from_bits(word)),
                 code::DOUBLE => Value::Double(f32::from_bits(word).into()),
                 code::STRING => Value::String(self.string(word, at)?.into()),
@@ -392,6 +393,8 @@ impl Crate<'_> {
                 Value::Ints(self.all.slice(data, count.saturating_mul(4))?.chunks_exact(4).map(int).collect())
             }
             _ if packed => Value::Other(kind),
+            code::FLOAT => Value::Floats(floats(1)?),
+            code::QUATF => Value::Quatfs(rows(&floats(4)?).into_iter().map(|[x, y, z, w]| [w, x, y, z]).collect()),
             code::VEC2F => Value::Vec2fs(rows(&floats(2)?)),
             code::VEC3F => Value::Vec3fs(rows(&floats(3)?)),
             _ => Value::Other(kind),

@@ -29,6 +29,8 @@ pub mod code {
     pub const STRING: u8 = 10;
     pub const TOKEN: u8 = 11;
     pub const ASSET: u8 = 12;
+    /// x, y, z, w.
+    pub const QUATF: u8 = 17;
     pub const VEC2F: u8 = 20;
     pub const VEC3F: u8 = 24;
     pub const VEC4F: u8 = 28;
@@ -223,6 +225,7 @@ impl Encoder {
         let inlined = |code: u8, bits: u32| INLINED | u64::from(code) << 48 | u64::from(bits);
         match value {
             Value::Bool(b) => inlined(code::BOOL, u32::from(*b)),
+            Value::Int(i) => inlined(code::INT, *i as u32),
             Value::Float(f) => inlined(code::FLOAT, f.to_bits()),
             Value::String(s) => inlined(code::STRING, self.string(s)),
             Value::Token(t) => inlined(code::TOKEN, self.token(t)),
@@ -233,6 +236,11 @@ impl Encoder {
             Value::Vec3f(v) => self.floats(code::VEC3F, v),
             Value::Vec4f(v) => self.floats(code::VEC4F, v),
             Value::Ints(v) => self.array(code::INT, v.len(), v.iter().flat_map(|x| x.to_le_bytes()).collect()),
+            Value::Floats(v) => self.array(code::FLOAT, v.len(), v.iter().flat_map(|x| x.to_le_bytes()).collect()),
+            Value::Quatfs(v) => {
+                let in_file = |[w, x, y, z]: &[f32; 4]| [*x, *y, *z, *w].map(f32::to_le_bytes);
+                self.array(code::QUATF, v.len(), v.iter().flat_map(in_file).flatten().collect())
+            }
             Value::Vec2fs(v) => {
                 self.array(code::VEC2F, v.len(), v.iter().flatten().flat_map(|x| x.to_le_bytes()).collect())
             }

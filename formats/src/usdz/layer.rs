@@ -23,6 +23,7 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     Bool(bool),
+    Int(i32),
     Float(f32),
     Double(f64),
     String(String),
@@ -31,6 +32,9 @@ pub enum Value {
     Vec3f([f32; 3]),
     Vec4f([f32; 4]),
     Ints(Vec<i32>),
+    Floats(Vec<f32>),
+    /// w first.
+    Quatfs(Vec<[f32; 4]>),
     Vec2fs(Vec<[f32; 2]>),
     Vec3fs(Vec<[f32; 3]>),
     Tokens(Vec<String>),

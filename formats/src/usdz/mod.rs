@@ -12,6 +12,7 @@ mod encode;
 mod layer;
 mod packing;
 mod read;
+mod splats;
 #[cfg(test)]
 mod tests;
 mod write;

@@ -6,11 +6,11 @@ use zip::{CompressionMethod, ZipArchive};
 
 use super::decode::decode;
 use super::layer::{Kind, Spec, Value};
-use super::{ALIGNMENT, FORMAT};
+use super::{ALIGNMENT, FORMAT, splats};
 use crate::asset::{Asset, EncodedImage, Material, Part};
 use crate::{Error, Label, Mesh, Place, Result};
 
-/// Reads the meshes of a package with their materials, images and label. Meshes have triangles, and their normals and
+/// Reads the meshes of a package with their materials, images and label, and its first field of Gaussians. Meshes have triangles, and their normals and
 /// texture coordinates a vertex, as [`write`](super::write()) makes them; it reads back equal up to f32 positions.
 ///
 /// # Errors
@@ -39,6 +39,7 @@ pub fn read(bytes: &[u8]) -> Result<Asset> {
                 };
                 out.parts.push(Part { mesh: mesh(spec, name)?, material });
             }
+            splats::TYPE if splats::is_field(spec) && out.splats.is_none() => out.splats = Some(splats::read(spec)?),
             "Material" => {
                 let number = index(&mut looks, &path);
                 let look = material(spec, &mut pictures);

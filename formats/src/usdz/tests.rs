@@ -65,3 +65,48 @@ fn broken_packages_are_refused() {
     let splats = Asset { splats: Some(crate::Splats::default()), ..asset() };
     assert!(write(&splats).unwrap_err().to_string().contains("splats"));
 }
+
+fn field(bases: usize) -> crate::Splats {
+    let mut sh = [[0.0; 3]; 16];
+    (0..bases).for_each(|b| sh[b] = [0.1 + b as f32, -0.5, 0.25 * b as f32]);
+    crate::Splats {
+        positions: vec![[0.5, 1.0, -2.0], [4.0, 0.0, 0.125]],
+        log_scales: vec![[-1.0, -2.0, -3.0], [0.5, -4.0, -4.0]],
+        rotations: vec![[1.0, 0.0, 0.0, 0.0], [0.5, -0.5, 0.5, 0.5]],
+        logit_opacities: vec![0.0, 3.0],
+        sh: vec![sh, [[0.0; 3]; 16]],
+    }
+}
+
+#[test]
+fn gaussians_stand_beside_the_mesh() {
+    for bases in [1, 4, 9, 16] {
+        let whole = Asset { splats: Some(field(bases)), ..asset() };
+        let read = read(&write(&whole).unwrap()).unwrap();
+        let (found, expected) = (read.splats.clone().unwrap(), field(bases));
+        assert_eq!(
+            (&found.positions, &found.rotations, &found.sh),
+            (&expected.positions, &expected.rotations, &expected.sh)
+        );
+        let near = |a: &[f32], b: &[f32]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-5);
+        assert!(near(found.log_scales.as_flattened(), expected.log_scales.as_flattened()));
+        assert!(near(&found.logit_opacities, &expected.logit_opacities));
+        assert_eq!(Asset { splats: None, ..read }, asset());
+    }
+}
+
+#[test]
+fn fields_with_arrays_that_do_not_match_are_refused() {
+    let prim = splats::write(&field(4)).unwrap();
+    assert!(splats::read(&prim).is_ok());
+    for (i, attribute) in prim.children.iter().enumerate().filter(|(_, c)| c.name != "extent") {
+        let mut without = prim.clone();
+        without.children.remove(i);
+        // Degree 3, which the schema falls back to, has other harmonics.
+        assert!(splats::read(&without).is_err(), "{}", attribute.name);
+    }
+    let mut short = prim;
+    let at = short.children.iter().position(|c| c.name == "opacities").unwrap();
+    short.children[at] = layer::Spec::attribute("opacities", "float[]", layer::Value::Floats(vec![0.5]));
+    assert!(splats::read(&short).unwrap_err().to_string().contains("arrays for 2 splats"));
+}

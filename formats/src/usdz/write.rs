@@ -7,7 +7,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::encode::encode;
 use super::layer::{Kind, Spec, Value};
-use super::{ALIGNMENT, FORMAT};
+use super::{ALIGNMENT, FORMAT, splats};
 use crate::asset::{Asset, Material, Part};
 use crate::mesh::unit;
 use crate::{Error, Result};
@@ -19,15 +19,12 @@ const COLORS: &str = "Texture";
 const NORMALS: &str = "NormalTexture";
 const OCCLUSION: &str = "OcclusionTexture";
 
-/// Writes the parts and their materials.
+/// Writes the parts and their materials, and splats beside them as OpenUSD's field of Gaussians.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for splats, an asset without a part, a mesh that is not valid or empty, a material or an image
+/// [`Error::Unsupported`] for an asset without a part, splats that are none, a mesh that is not valid or empty, a material or an image
 /// that does not exist, an image that is neither PNG nor JPEG.
 pub fn write(asset: &Asset) -> Result<Vec<u8>> {
-    if asset.splats.is_some() {
-        return refuse("splats are not written; export GLB, PLY or SPZ".into());
-    }
     if asset.parts.is_empty() {
         return refuse("an asset needs a mesh".into());
     }
@@ -63,6 +60,9 @@ fn stage(asset: &Asset, images: &[String]) -> Result<Spec> {
             return refuse(format!("part {i} names material {:?} of {}", part.material, asset.materials.len()));
         }
         model.children.push(mesh);
+    }
+    if let Some(field) = &asset.splats {
+        model.children.push(splats::write(field)?);
     }
     if !asset.materials.is_empty() {
         let mut scope = Spec::prim("Materials", "Scope");
