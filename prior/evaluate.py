@@ -143,7 +143,7 @@ def drawn_on_gpu(gaussians, matrices, intrinsics, height, width):
     kays = torch.zeros(len(matrices), 3, 3, device=DEVICE)
     kays[:, 0, 0], kays[:, 1, 1], kays[:, 0, 2], kays[:, 1, 2] = intrinsics.unbind(1)
     kays[:, 2, 2] = 1
-    options = {"packed": False, "near_plane": 0.05, "covars": covariance}
+    options = {"packed": False, "near_plane": 0.05, "covars": covariance, "rasterize_mode": "antialiased"}
     colour, alpha, _ = rasterization(position, None, None, opacity, colour, matrices, kays, width, height, **options)
     return colour, alpha[..., 0]
 

@@ -31,15 +31,17 @@ extern "C" void draw(const float* position, const float* covariance, const float
             float J[2][3] = {{fx, 0, -fx * c[0] / c[2]}, {0, fy, -fy * c[1] / c[2]}}, T[2][3];
             for (int a = 0; a < 2; a++)
                 for (int k = 0; k < 3; k++) T[a][k] = J[a][0] * M[k] + J[a][1] * M[4 + k] + J[a][2] * M[8 + k];
-            float C[3] = {.3f, 0, .3f};  // the usual widening by a third of a pixel
+            float C[3] = {0, 0, 0};
             for (int k = 0; k < 3; k++)
                 for (int l = 0; l < 3; l++) {
                     C[0] += T[0][k] * S[3 * k + l] * T[0][l];
                     C[1] += T[0][k] * S[3 * k + l] * T[1][l];
                     C[2] += T[1][k] * S[3 * k + l] * T[1][l];
                 }
-            float det = C[0] * C[2] - C[1] * C[1];
-            if (det <= 0) continue;
+            // The usual widening by a third of a pixel; what is drawn larger by it counts less by as much, as in training.
+            float own = std::max(0.f, C[0] * C[2] - C[1] * C[1]);
+            C[0] += .3f, C[2] += .3f;
+            float det = C[0] * C[2] - C[1] * C[1], solid = opacity[i] * std::sqrt(own / det);
             float u = fx * c[0] + K[2], w = fy * c[1] + K[3], rx = 3.3f * std::sqrt(C[0]), ry = 3.3f * std::sqrt(C[2]);
             int x0 = std::max(0, (int)std::floor(u - rx)), x1 = std::min(width - 1, (int)std::ceil(u + rx));
             int y0 = std::max(0, (int)std::floor(w - ry)), y1 = std::min(height - 1, (int)std::ceil(w + ry));
@@ -49,7 +51,7 @@ extern "C" void draw(const float* position, const float* covariance, const float
                     if (t < 1e-4f) continue;
                     float dx = x + .5f - u, dy = y + .5f - w;
                     float power = -.5f * (C[2] * dx * dx - 2 * C[1] * dx * dy + C[0] * dy * dy) / det;
-                    float a = std::min(.999f, opacity[i] * std::exp(power));
+                    float a = std::min(.999f, solid * std::exp(power));
                     if (a < 1 / 255.f) continue;
                     for (int k = 0; k < 3; k++) out[3 * (y * width + x) + k] += t * a * colour[3 * i + k];
                     t *= 1 - a;

@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.6",
-    sha256: "10cdfa0a28342f88b799f07894ebbce197a692f57e00d922c784eef25211704b",
+    version: "0.7",
+    sha256: "706eddadfa52e18b839cbe1d087d9cf2c858321979c68cb56b3de8277bdf30e2",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
