@@ -14,6 +14,8 @@ struct Mcmc {
     pad1: u32,
     pad2: u32,
     seed: vec4<u32>,
+    // Outside, one is neither dead nor copied.
+    moving: Region,
 }
 
 fn opaque(logit: f32) -> f32 {

@@ -20,7 +20,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     for (var k = 0u; k < SCAN_ITEMS; k++) {
         let i = group.x * SCAN_BLOCK + k * 256u + lane;
         if (i < mcmc.gaussians) {
-            own += share(core[i].w);
+            own += share(core[i]);
             chosen[i] = 0u;
         }
     }

@@ -17,7 +17,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     for (var k = 0u; k < SCAN_ITEMS; k++) {
         own[k] = vec2(0u);
         if (first + k < mcmc.gaussians) {
-            own[k] = share(core[first + k].w);
+            own[k] = share(core[first + k]);
         }
         sum += own[k];
     }

@@ -7,7 +7,7 @@
 
 @compute @workgroup_size(256)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    if (id.x < refine.gaussians) {
+    if (id.x < refine.gaussians && !keeps_still(core[id.x], refine.moving)) {
         core[id.x].w = min(core[id.x].w, refine.ceiling);
         core_moments[id.x].w = 0.0;
         core_moments[3u * refine.stride + id.x].w = 0.0;

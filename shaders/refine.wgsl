@@ -15,6 +15,7 @@ struct Refine {
     // Logit that no opacity exceeds after a reset.
     ceiling: f32,
     seed: vec4<u32>,
+    moving: Region,
 }
 
 // What becomes of a Gaussian.

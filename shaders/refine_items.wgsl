@@ -6,7 +6,7 @@ fn offspring(i: u32, items: u32) -> vec2<u32> {
         return vec2(0u);
     }
     if (i < refine.gaussians) {
-        return vec2(select(0u, 1u, core[i].w >= refine.faintest && kinds[i] != SPLIT), i);
+        return vec2(select(0u, 1u, (core[i].w >= refine.faintest || keeps_still(core[i], refine.moving)) && kinds[i] != SPLIT), i);
     }
     let id = order[i - refine.gaussians];
     let kind = kinds[id];

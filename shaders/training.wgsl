@@ -17,6 +17,7 @@ struct Step {
     more_words: vec4<u32>,
     // Of the photo's exposure: step size (0: it has none), weight of its distance from none.
     exposure: vec4<f32>,
+    moving: Region,
 }
 
 struct State {

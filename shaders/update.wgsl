@@ -96,11 +96,12 @@ fn main(
                 let share = 1.0 / f32(chunk.count);
                 let opacity = g.opacity + now.loss.z * share * o * (1.0 - o);
                 let scale = g.scale + now.loss.w * share / 3.0 * exp(s0.xyz);
-                let r = now.rates;
+                let still = keeps_still(c0, now.moving);
+                let r = select(now.rates, vec4(0.0, now.rates.y, 0.0, 0.0), still);
                 let place = step_core(i, c0, vec4(g.position, opacity), vec4(r.xxx, r.y), c);
                 let form = step_core(stride + i, q0, g.rotation, vec4(r.z), c);
                 let size = step_core(2u * stride + i, s0, vec4(scale, 0.0), vec4(r.www, 0.0), c);
-                if (now.more_rates.w != 0.0) {
+                if (now.more_rates.w != 0.0 && !still) {
                     core[i] = disturbed(i, place, form, size.xyz);
                 }
                 core_moments[2u * stride + i].w = t;

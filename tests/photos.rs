@@ -1,53 +1,11 @@
 //! `orb geo` and `orb reconstruct` of a folder of photos, from the outside, on photos whose truth is known.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod sets;
+
+use std::path::Path;
 
 use serde_json::Value;
-
-struct Bench {
-    folder: tempfile::TempDir,
-}
-
-impl Bench {
-    /// Photos of a van, so many pixels across, with GPS and, if nothing is said, COLMAP's poses.
-    fn new(photos: &str, size: &str, more: &[&str]) -> Bench {
-        let b = Bench { folder: tempfile::tempdir().unwrap() };
-        let sets = b.text("sets");
-        let args = ["bench", "make", "-o", &sets, "--scenes", "2", "--photos", photos, "--size", size, "--quiet"];
-        b.good(&[&args[..], more].concat());
-        b
-    }
-    fn at(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-    fn text(&self, name: &str) -> String {
-        self.at(name).to_string_lossy().into_owned()
-    }
-    fn orb(&self, args: &[&str]) -> Output {
-        let data = self.at("data");
-        Command::new(env!("CARGO_BIN_EXE_orb"))
-            .args(args)
-            .env("ORB_DATA_DIR", data)
-            .current_dir(self.folder.path())
-            .output()
-            .unwrap()
-    }
-    fn good(&self, args: &[&str]) -> String {
-        let o = self.orb(args);
-        assert!(o.status.success(), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
-        String::from_utf8_lossy(&o.stdout).into_owned()
-    }
-    fn refused(&self, args: &[&str]) -> String {
-        let o = self.orb(args);
-        assert_eq!(o.status.code(), Some(2), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
-        String::from_utf8_lossy(&o.stderr).into_owned()
-    }
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
-}
+use sets::{Bench, json};
 
 fn record(folder: &Path) -> Value {
     let envelope = json(&folder.join("orb-record.dsse.json"));
@@ -75,7 +33,7 @@ fn metres_of_the_world(told: &Value, predicate: &Value) -> f64 {
 
 #[test]
 fn posed_photos_become_a_model_at_their_place_on_the_earth() {
-    let b = Bench::new("9", "256", &["--gps-noise", "0.2"]);
+    let b = Bench::new("2", "9", "256", &["--gps-noise", "0.2"]);
     let photos = b.text("sets/01_van/photos");
     let made =
         ["geo", &photos, "--format", "glb", "--iterations", "60", "--lods", "1", "--texture", "256", "--device", "cpu"];
@@ -175,7 +133,7 @@ fn nerf_with_control(b: &Bench, to: &Path) {
 
 #[test]
 fn control_points_place_photos_that_know_nothing_of_the_earth() {
-    let b = Bench::new("6", "256", &[]);
+    let b = Bench::new("2", "6", "256", &[]);
     nerf_with_control(&b, &b.at("nerf"));
     let (images, poses, control) = (b.text("nerf/images"), b.text("nerf/transforms.json"), b.text("nerf/control.csv"));
     let made = [

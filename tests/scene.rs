@@ -1,51 +1,11 @@
 //! `orb train` from the outside, on made places whose truth is known.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod sets;
+
+use std::path::Path;
 
 use serde_json::Value;
-
-struct Bench {
-    folder: tempfile::TempDir,
-}
-
-impl Bench {
-    fn new(photos: &str, size: &str, more: &[&str]) -> Bench {
-        let b = Bench { folder: tempfile::tempdir().unwrap() };
-        let sets = b.text("sets");
-        let args = ["bench", "make", "-o", &sets, "--scenes", "1", "--photos", photos, "--size", size, "--quiet"];
-        b.good(&[&args[..], more].concat());
-        b
-    }
-    fn at(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-    fn text(&self, name: &str) -> String {
-        self.at(name).to_string_lossy().into_owned()
-    }
-    fn orb(&self, args: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_orb"))
-            .args(args)
-            .env("ORB_DATA_DIR", self.at("data"))
-            .current_dir(self.folder.path())
-            .output()
-            .unwrap()
-    }
-    fn good(&self, args: &[&str]) -> String {
-        let o = self.orb(args);
-        assert!(o.status.success(), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
-        String::from_utf8_lossy(&o.stdout).into_owned()
-    }
-    fn refused(&self, args: &[&str]) -> String {
-        let o = self.orb(args);
-        assert_eq!(o.status.code(), Some(2), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
-        String::from_utf8_lossy(&o.stderr).into_owned()
-    }
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
-}
+use sets::{Bench, json};
 
 fn predicate(folder: &Path) -> Value {
     use base64::Engine;
@@ -65,7 +25,7 @@ const BRIEF: [&str; 8] =
 
 #[test]
 fn a_folder_of_photos_becomes_a_scene_at_its_place_on_the_earth() {
-    let b = Bench::new("12", "96", &["--site", "--moving", "--gps-noise", "0.2"]);
+    let b = Bench::new("1", "12", "96", &["--site", "--moving", "--gps-noise", "0.2"]);
     let set = b.text("sets/00_site");
     let told: Value = serde_json::from_str(&b.good(
         &[&["train", &set, "-o", "out", "--json", "--exposure", "--format", "spz,tiles3d"], &BRIEF[..]].concat(),
@@ -110,7 +70,7 @@ fn a_folder_of_photos_becomes_a_scene_at_its_place_on_the_earth() {
 
 #[test]
 fn the_table_is_printed_runs_go_on_and_options_are_judged() {
-    let b = Bench::new("10", "64", &["--nerf"]);
+    let b = Bench::new("1", "10", "64", &["--nerf"]);
     let set = b.text("sets/00_container_nerf");
     let args = |out: &'static str, more: &[&'static str]| -> Vec<String> {
         let words = ["train", &set, "-o", out, "--init-points", "500", "--strategy", "mcmc"];
@@ -137,4 +97,33 @@ fn the_table_is_printed_runs_go_on_and_options_are_judged() {
     assert!(b.refused(&["train", &set, "--format", "tiles3d"]).contains("place on the Earth"));
     assert!(b.refused(&["train", "nowhere"]).contains("nowhere"));
     assert!(!b.at("00_container_nerf_scene").exists());
+}
+
+#[test]
+fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
+    let b = Bench::new("1", "12", "96", &["--site"]);
+    let set = b.text("sets/00_site");
+    let train =
+        |more: &[&str]| b.good(&[&["train", &set, "--blocks", "2", "--parts", "parts"], &BRIEF[..6], more].concat());
+    let plan = train(&["--plan"]);
+    assert!(plan.contains("12 photos") && plan.contains("memory") && plan.contains("2 blocks"), "{plan}");
+    assert_eq!(train(&["--block", "2", "-o", "none"]), "");
+    assert!(b.at("parts/coarse/gaussians.part").is_file() && b.at("parts/block_002/gaussians.part").is_file());
+    assert!(!b.at("parts/block_001").exists() && !b.at("none").exists());
+    let told: Value = serde_json::from_str(&train(&["-o", "out", "--json", "--split-ground"])).unwrap();
+    assert_eq!((&told["iterations"], &told["held_out"]["photos"]), (&180.into(), &2.into()));
+    let count = |file: &str| -> u64 {
+        let head = comments(&b.at("out").join(file));
+        head.lines().find_map(|l| l.strip_prefix("element vertex ")).unwrap().trim().parse().unwrap()
+    };
+    // Together all but the sky.
+    let near = told["gaussians"]["end"].as_u64().unwrap() - told["gaussians"]["sky"].as_u64().unwrap();
+    assert!(count("ground.ply") > 100 && count("objects.ply") > 100);
+    assert_eq!(count("ground.ply") + count("objects.ply"), near);
+    b.good(&["audit", "verify", "out"]);
+    // Another seed is another run.
+    let args = [&["train", &set, "--blocks", "2", "--parts", "parts", "--seed", "1", "-o", "no"], &BRIEF[..6]].concat();
+    assert!(b.refused(&args).contains("--parts"));
+    assert!(b.refused(&["train", &set, "--block", "1"]).contains("--blocks"));
+    assert!(b.refused(&["train", &set, "--blocks", "2", "--exposure"]).contains("as a whole"));
 }

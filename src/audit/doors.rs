@@ -37,7 +37,7 @@ const DOORS: [&str; 24] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 36] = [
+const KEEPERS: [(&str, &str); 38] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -65,6 +65,8 @@ const KEEPERS: [(&str, &str); 36] = [
     ("src/models/registry/import/gather.rs", "imported networks, staged"),
     ("src/models/registry/mod.rs", "imported networks, removed"),
     ("src/models/zero123/cache.rs", "views already made"),
+    ("src/pipeline/scene/blocks.rs", "the checkpoint of a part of a scene, gone when the part stands"),
+    ("src/pipeline/scene/blocks/part.rs", "parts of a scene that is trained in blocks"),
     ("src/photos/sfm.rs", "COLMAP's work folder, its own and gone afterwards"),
     ("src/serve/api/form.rs", "the files of a submission, in the server's own folder"),
     ("src/serve/api/submit.rs", "the same, named"),

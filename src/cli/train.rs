@@ -1,5 +1,6 @@
 //! `orb train`: a folder of posed photos becomes the Gaussians of a whole scene, measured on photos held out, marked and sealed.
 
+mod blocks;
 mod told;
 
 use std::path::PathBuf;
@@ -23,6 +24,8 @@ use crate::geo::{HeadingSource, Placement, ScaleSource};
 use crate::models::Graph;
 use crate::photos::dataset;
 use crate::photos::register::{self, Registration};
+use crate::pipeline::scene::ground::Filter;
+use crate::pipeline::scene::plan::Job;
 use crate::pipeline::scene::{self, Background, Cost, Scene, Sky, Source, Strategy};
 use crate::progress::Progress;
 use crate::{Error, Result, memory, splat};
@@ -98,6 +101,9 @@ pub struct Train {
     /// Whether far Gaussians stand for the sky.
     #[arg(long, value_enum, default_value_t)]
     pub sky: SkyName,
+    /// Also publish ground.ply and objects.ply: the Gaussians of the ground, and those of what stands on it.
+    #[arg(long)]
+    pub split_ground: bool,
     /// LPIPS as ONNX, to measure that too: inputs `ref` and `dist`, 1×3×H×W, normalised as for ImageNet; output the distance.
     #[arg(long, value_name = "FILE.onnx")]
     pub lpips: Option<PathBuf>,
@@ -109,6 +115,8 @@ pub struct Train {
     /// Same photos, options, seed and machine: same bytes.
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+    #[command(flatten)]
+    pub large: blocks::BlocksArgs,
     #[command(flatten)]
     pub kept: CheckpointArgs,
     #[command(flatten)]
@@ -180,7 +188,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     let product = handling.marking.clone();
     let stem = geo::stem_of(&args.data);
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}_scene")));
-    let mut sealed = SealedRun::begin("orb train", &output, handling, &args.publish)?;
+    // A plan and a block of several publish nothing.
+    let publishes = !args.large.plan && args.large.block.is_none();
+    let sealed = publishes.then(|| SealedRun::begin("orb train", &output, handling, &args.publish)).transpose()?;
     let say = |line: &str| {
         if !args.publish.quiet {
             eprintln!("orb: {line}");
@@ -207,6 +217,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         None if strategy == Strategy::Mcmc => cost.cap().min(scene::cost::MCMC),
         None => cost.cap(),
     };
+    if args.large.plan {
+        return plan(args, &set, &cost, most, fitter);
+    }
     say(&cost.words(most));
     let options = scene::Options {
         iterations: args.iterations as usize,
@@ -242,7 +255,17 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         mask: &|i| set.mask(&photos[i]),
     };
     let lpips = network.as_ref().map(|n| &*n.graph);
-    let done = scene::fit(&source, fitter, &options, lpips, &bar)?;
+    let done = match args.large.open(&set, &options, &held_out, &output)? {
+        None => Some(scene::fit(&source, fitter, &options, lpips, &bar)?),
+        Some(blocks) => {
+            let mut tell = |line: String| say(&line);
+            let (done, made) = scene::blocks::fit(&source, fitter, &options, &blocks, lpips, &bar, &mut tell)?;
+            let parts = blocks.folder.display();
+            say(&format!("{} parts trained, {} found in {parts}", made.trained, made.found));
+            done
+        }
+    };
+    let (Some(done), Some(mut sealed)) = (done, sealed) else { return Ok(0) };
 
     bar.begin("writing and sealing", 0);
     let placed = register::register(&fixes, &done.to_unit, args.seed).map(|r| placed(r, &done));
@@ -254,11 +277,18 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         heading_source: HeadingSource::Georegistration.label(),
         scale_source: ScaleSource::Georegistration.label(),
     };
-    let ply = match &placed {
-        Some(p) => export::scene_ply(&p.gaussians(&done.gaussians), &p.placement, &labels)?,
-        None => export::posed_ply(&done.gaussians, &done.to_unit, &product)?,
+    let ply = |g: &splat::Gaussians| match &placed {
+        Some(p) => export::scene_ply(&p.gaussians(g), &p.placement, &labels),
+        None => export::posed_ply(g, &done.to_unit, &product),
     };
-    sealed.publication.add(&ply.path, &ply.bytes, ply.media_type, "gaussians")?;
+    let whole = ply(&done.gaussians)?;
+    sealed.publication.add(&whole.path, &whole.bytes, whole.media_type, "gaussians")?;
+    if args.split_ground {
+        for (name, g) in ground_and_objects(&done)? {
+            let file = ply(&g)?;
+            sealed.publication.add(name, &file.bytes, file.media_type, "gaussians")?;
+        }
+    }
     let in_metres = placed.as_ref().map(|p| p.gaussians(&done.gaussians));
     if args.format.contains(&SceneFormat::Spz) {
         let g = in_metres.as_ref().unwrap_or(&done.gaussians);
@@ -299,6 +329,44 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         (false, true) => {}
         (false, false) => super::write_out(&told.text()),
     }
+    Ok(0)
+}
+
+/// The ground's Gaussians and those of what stands on it, in the unit frame, without the sky.
+fn ground_and_objects(done: &Scene) -> Result<[(&'static str, splat::Gaussians); 2]> {
+    let near = done.gaussians.len() - done.sky;
+    let (_, ground) = scene::ground::separated(&done.gaussians, near, &Filter::default()).ok_or_else(|| {
+        Error::usage("--split-ground")
+            .expected("ground below what the photos look at")
+            .found("too few opaque Gaussians there")
+            .advice("Train for longer, or leave --split-ground out.")
+    })?;
+    let of = |is_ground: bool| done.gaussians.filtered(|i| i < near && ground[i] == is_ground);
+    Ok([("ground.ply", of(true)), ("objects.ply", of(false))])
+}
+
+/// Says what the run takes.
+fn plan(args: &Train, set: &Set, cost: &Cost, most: usize, engine: splat::Engine) -> Result<u8> {
+    let photos = cost.photos.max(1) as f64;
+    let job = Job {
+        photos: cost.photos,
+        pixels: cost.pixels as f64 / photos,
+        file_pixels: set.pixels(u32::MAX)? as f64 / photos,
+        longest_side: args.size,
+        gaussians: most,
+        steps: args.iterations as usize,
+        blocks: args.large.blocks.map_or(1, |n| n as usize),
+        on_gpu: cost.on_gpu,
+    };
+    let planned = scene::plan::plan(&job, &scene::plan::speed(engine)?);
+    let mut words = planned.words(&job);
+    if let Some(free) = cost.free.map(|free| (free as f64 * 0.7) as u64).filter(|free| planned.memory > *free) {
+        words += &match scene::plan::blocks_within(&Job { blocks: 1, ..job }, free) {
+            Some(n) if n > 1 => format!("  this machine has less memory free: --blocks {n} fits it\n"),
+            _ => "  this machine has less memory free: choose a smaller --size or --max-gaussians\n".into(),
+        };
+    }
+    super::write_out(&words);
     Ok(0)
 }
 

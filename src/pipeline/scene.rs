@@ -2,9 +2,12 @@
 //! it never saw (Kerbl et al. 2023). No mask of a subject, no network, no mesh.
 
 mod begin;
+pub mod blocks;
 mod brightness;
 pub mod cost;
+pub mod ground;
 mod pictures;
+pub mod plan;
 mod score;
 mod sky;
 #[cfg(test)]
@@ -19,13 +22,15 @@ use crate::photo::Photo;
 use crate::photos::frame::{self, Ground, UpBy};
 use crate::photos::{Posed, Poses};
 use crate::progress::Progress;
-use crate::splat::train::exposure::Change;
-use crate::splat::train::{Behind, Density, Kept, Rates, train_kept};
+use crate::splat::render::Drawers;
+use crate::splat::train::exposure::{Change, NONE};
+use crate::splat::train::{Behind, Density, Kept, Rates, Region, train_kept};
 use crate::splat::{self, Camera, Gaussians, Report};
 use crate::{Error, Result};
 
 pub use crate::splat::train::Strategy;
 pub use begin::From;
+pub use blocks::Blocks;
 pub use cost::Cost;
 pub use pictures::Pictures;
 pub use score::{Role, Scores, View};
@@ -167,36 +172,12 @@ pub fn fit(
 ) -> Result<Scene> {
     let mut clock = Clock::new();
     let (to_unit, up_by, ground) = unit_frame(source.poses, options.up, options.seed)?;
-    let mut pictures = pictures::read(source, &to_unit, options, progress)?;
+    let pictures = pictures::read(source, &to_unit, options, progress)?;
     clock.lap("photos");
-    let training = pictures.targets.iter().filter(|t| t.weight > 0.0).count();
-    if training < 2 {
-        return Err(Error::usage("photos")
-            .expected("at least two photos to train on")
-            .found(training.to_string())
-            .advice("Hold fewer out: --test-every 0 holds none."));
-    }
-    let behind = match options.background {
-        Background::Color(c) => c,
-        Background::Auto if pictures.alpha => [1.0; 3],
-        Background::Auto => [0.0; 3],
-        Background::Changing => [0.5; 3],
-    };
-    let extent = extent(&pictures.targets);
-    let sky = match options.sky {
-        Sky::Off => Gaussians::default(),
-        Sky::Auto if pictures.alpha => Gaussians::default(),
-        Sky::Auto => sky::seen(&pictures.targets, extent, options.max_gaussians)
-            .filter(sky::is_plain)
-            .map(|s| s.gaussians)
-            .unwrap_or_default(),
-        Sky::On => sky::seen(&pictures.targets, extent, options.max_gaussians).map(|s| s.gaussians).unwrap_or_default(),
-    };
-    let room = options.max_gaussians.saturating_sub(sky.len());
-    let (mut start, begun_from) = begin::gaussians(source.poses, &to_unit, &pictures, extent, room, options)?;
-    let sky_from = start.len();
-    let sky_count = sky.len().min(options.max_gaussians.saturating_sub(sky_from));
-    start.extend(&sky.filtered(|i| i < sky_count));
+    let training = pictures.trained_on()?;
+    let extent = extent(pictures.targets.iter().map(|t| t.camera.position()));
+    let Begun { start, from: begun_from, behind } =
+        begin(source.poses, &to_unit, &pictures, extent, options, options.max_gaussians)?;
     clock.lap("first Gaussians");
     progress.check()?;
 
@@ -207,7 +188,10 @@ pub fn fit(
     clock.lap("optimisation");
 
     progress.begin("measuring", pictures.targets.len() as u64);
-    let views = score::views(&mut pictures, &trained, behind, lpips, progress)?;
+    let drawers = Drawers::new(&trained.gaussians);
+    let (cameras, exposures) = (&trained.cameras, &trained.exposures);
+    let views = score::views(pictures.targets, &drawers, cameras, exposures, behind, lpips, progress)?;
+    drop(drawers);
     clock.lap("measuring");
     let of = |role: Role| Scores::mean(views.iter().filter(|v| v.role == role).map(|v| &v.scores));
     let (measured_trained, measured_held_out) = (of(Role::Trained), of(Role::HeldOut));
@@ -230,11 +214,50 @@ pub fn fit(
     })
 }
 
+/// What training begins with.
+struct Begun {
+    /// The sky's last.
+    start: Gaussians,
+    from: begin::From,
+    /// What stands behind all Gaussians.
+    behind: [f32; 3],
+}
+
+/// `sky_of`: the sky may be its part of so many.
+fn begin(
+    poses: &Poses,
+    to_unit: &Similarity,
+    pictures: &Pictures,
+    extent: f32,
+    options: &Options,
+    sky_of: usize,
+) -> Result<Begun> {
+    let behind = match options.background {
+        Background::Color(c) => c,
+        Background::Auto if pictures.alpha => [1.0; 3],
+        Background::Auto => [0.0; 3],
+        Background::Changing => [0.5; 3],
+    };
+    let seen = || sky::seen(&pictures.targets, extent, sky_of);
+    let sky = match options.sky {
+        Sky::Off => None,
+        Sky::Auto if pictures.alpha => None,
+        Sky::Auto => seen().filter(sky::is_plain),
+        Sky::On => seen(),
+    };
+    let sky = sky.map(|s| s.gaussians).unwrap_or_default();
+    let room = options.max_gaussians.saturating_sub(sky.len());
+    let (mut start, from) = begin::gaussians(poses, to_unit, pictures, extent, room, options)?;
+    let sky_count = sky.len().min(options.max_gaussians.saturating_sub(start.len()));
+    start.extend(&sky.filtered(|i| i < sky_count));
+    Ok(Begun { start, from, behind })
+}
+
 /// Size of the scene as gsplat has it: 1.1 times the farthest camera's distance from the cameras' middle.
-fn extent(targets: &[splat::Target]) -> f32 {
-    let all = || targets.iter().map(|t| t.camera.position());
-    let middle = all().sum::<glam::Vec3>() / targets.len().max(1) as f32;
-    1.1 * all().map(|p| p.distance(middle)).fold(1e-3, f32::max)
+fn extent(eyes: impl Iterator<Item = glam::Vec3> + Clone) -> f32 {
+    let count = eyes.clone().count().max(1);
+    let middle = eyes.clone().sum::<glam::Vec3>() / count as f32;
+    1.1 * eyes.map(|p| p.distance(middle)).fold(1e-3, f32::max)
 }
 
 /// The schedule of 30,000 iterations; a shorter run ends its growing half-way and begins it earlier.
@@ -256,6 +279,7 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize)
         iterations: n,
         seed: options.seed,
         scene_extent: extent,
+        moving: Region { radius: sky::beyond(extent), ..Region::EVERYWHERE },
         sh_degree_every: full.sh_degree_every.min((n / 10).max(1)),
         density,
         pose_from: full.pose_from.min(n / 10),

@@ -3,7 +3,7 @@
 mod camera;
 pub mod cameras;
 mod gaussians;
-mod packed;
+pub(crate) mod packed;
 pub mod render;
 mod sh_rotation;
 mod simd;

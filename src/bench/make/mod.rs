@@ -1,6 +1,7 @@
 //! `orb bench make`: scenes whose truth is known, from a seed. Vehicles, buildings and other things out of plain parts,
 //! with painted textures, on simple ground under a plain sky; drawn by Orb's own rasteriser. Same seed, same bytes.
 
+mod nerf;
 mod parts;
 pub mod photos;
 pub mod site;

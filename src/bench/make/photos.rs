@@ -119,7 +119,7 @@ pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String
 }
 
 /// COLMAP's world: another scale, turned and moved.
-pub(super) fn written_world() -> Similarity {
+pub(crate) fn written_world() -> Similarity {
     Similarity {
         scale: 0.37,
         rotation: DQuat::from_euler(glam::EulerRot::XYZ, 1.9, 0.3, -0.7),

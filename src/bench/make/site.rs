@@ -1,9 +1,9 @@
 //! A whole place from all around, as scenes are trained on: things on ground, houses behind, clouds above; if asked, photos
 //! of drifting exposure and a van that is elsewhere in each. With what COLMAP would have found: poses and points.
 //!
-//! Or one thing alone with clear surroundings, in the layout of NeRF's synthetic sets (Mildenhall et al. 2020).
+//! Or one thing alone with clear surroundings: `super::nerf`.
 
-use glam::{DMat3, DQuat, DVec3, Mat3, Vec2, Vec3};
+use glam::{DMat3, DQuat, Mat3, Vec2, Vec3};
 use image::{DynamicImage, GrayImage, Luma, Rgb, RgbImage};
 use orb_formats::File;
 use rayon::prelude::*;
@@ -40,9 +40,6 @@ pub struct Options {
 const POINTS: usize = 12_000;
 /// Samples a pixel along each side of ground and sky.
 const FINER: u32 = 2;
-/// Cameras of NeRF's synthetic sets stand so far from the middle; their field of view in radians.
-const NERF_DISTANCE: f32 = 4.031;
-const NERF_FOV: f32 = 0.691_111;
 
 /// Ground, houses and sky of one place.
 struct Place {
@@ -62,11 +59,21 @@ struct Place {
 /// # Errors
 /// None in practice: what is made fits its formats.
 pub fn set(index: usize, options: &Options, marking: &Marking) -> Result<(String, Vec<File>)> {
-    let mut random = Random::new(options.seed.wrapping_mul(1_000_003).wrapping_add(index as u64) ^ 0x7369_7465);
+    let mut random = begun(index, options.seed);
     match options.nerf {
-        true => thing(index, options, &mut random, marking),
+        true => super::nerf::thing(index, options, &mut random, marking),
         false => place(index, options, &mut random, marking),
     }
+}
+
+fn begun(index: usize, seed: u64) -> Random {
+    Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index as u64) ^ 0x7369_7465)
+}
+
+/// The boxes around everything that stands on the ground of set `index`, metres: low and high corners.
+#[cfg(test)]
+pub fn boxes(index: usize, seed: u64) -> Vec<(Vec3, Vec3)> {
+    build(index, &mut begun(index, seed)).things.iter().map(|(m, _)| m.bounds()).collect()
 }
 
 fn place(index: usize, options: &Options, random: &mut Random, marking: &Marking) -> Result<(String, Vec<File>)> {
@@ -156,13 +163,13 @@ fn place(index: usize, options: &Options, random: &mut Random, marking: &Marking
     Ok((name, files))
 }
 
-fn text_of(facts: &serde_json::Value) -> Result<Vec<u8>> {
+pub(super) fn text_of(facts: &serde_json::Value) -> Result<Vec<u8>> {
     let mut text = serde_json::to_vec_pretty(facts).map_err(|e| Error::environment("JSON").found(e.to_string()))?;
     text.push(b'\n');
     Ok(text)
 }
 
-fn plain_png(image: DynamicImage, marking: &Marking) -> Result<Vec<u8>> {
+pub(super) fn plain_png(image: DynamicImage, marking: &Marking) -> Result<Vec<u8>> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     image.write_to(&mut bytes, image::ImageFormat::Png).map_err(|e| Error::environment("PNG").found(e.to_string()))?;
     Ok(inband::mark_png(&bytes.into_inner(), marking))
@@ -380,57 +387,16 @@ fn exposed(photo: &RgbImage, gain: [f32; 3]) -> RgbImage {
     })
 }
 
-/// One thing with clear surroundings: `train`, `test`, and their lists.
-fn thing(index: usize, options: &Options, random: &mut Random, marking: &Marking) -> Result<(String, Vec<File>)> {
-    let kind = &things::KINDS[index % things::KINDS.len()];
-    let name = format!("{index:02}_{}_nerf", kind.name);
-    let (mut mesh, texture) = things::build(kind, random);
-    let (low, high) = mesh.bounds();
-    // As large as NeRF's are: in a ball of radius 1.2.
-    let (middle, scale) = ((low + high) / 2.0, 1.2 / (low.distance(high) / 2.0));
-    mesh.positions.iter_mut().for_each(|p| *p = (*p - middle) * scale);
-    let mut files = Vec::new();
-    let tests = (options.count / 4).max(1);
-    for (group, count) in [("train", options.count), ("test", tests)] {
-        let cameras: Vec<Camera> = (0..count)
-            .map(|k| {
-                let golden = 137.508 * k as f32 + if group == "test" { 61.0 } else { 0.0 };
-                let elevation = (random.uniform() * 0.95).asin().to_degrees();
-                Camera::look_at(views::eye(golden, elevation, NERF_DISTANCE), Vec3::ZERO, NERF_FOV, options.width)
-            })
-            .collect();
-        let pictures: Vec<image::RgbaImage> = cameras.par_iter().map(|c| rgba(&mesh, &texture, c)).collect();
-        let mut frames = Vec::new();
-        for (k, (c, picture)) in cameras.iter().zip(pictures).enumerate() {
-            let path = format!("{name}/{group}/r_{k}.png");
-            files.push(File { path, bytes: plain_png(picture.into(), marking)?, media_type: "image/png" });
-            // Camera→world; x right, y up, z backwards.
-            let to_world: DMat3 = DMat3::from_cols_array(&c.rotation.to_cols_array().map(f64::from)).transpose();
-            let m = to_world * DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0));
-            let eye = c.position().as_dvec3();
-            let row = |i: usize| [m.col(0)[i], m.col(1)[i], m.col(2)[i], eye[i]];
-            frames.push(json!({
-                "file_path": format!("./{group}/r_{k}"),
-                "transform_matrix": [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
-            }));
-        }
-        let list = json!({"camera_angle_x": NERF_FOV, "frames": frames});
-        let path = format!("{name}/transforms_{group}.json");
-        files.push(File { path, bytes: text_of(&list)?, media_type: "application/json" });
-    }
-    Ok((name, files))
-}
-
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::photos::dataset;
 
-    fn options(nerf: bool) -> Options {
+    pub fn options(nerf: bool) -> Options {
         Options { seed: 3, count: 6, width: 64, gps_noise: 0.5, exposure_drift: 0.2, moving: true, nerf }
     }
 
-    fn written(o: &Options) -> (tempfile::TempDir, std::path::PathBuf) {
+    pub fn written(o: &Options) -> (tempfile::TempDir, std::path::PathBuf) {
         let folder = tempfile::tempdir().unwrap();
         let (name, files) = set(0, o, &Marking::UNCLASSIFIED).unwrap();
         for f in files {
@@ -482,20 +448,5 @@ mod tests {
         );
         assert!(off.count() < 20);
         assert_eq!(dataset::masks(&at, None, &["002.png".into()]).unwrap().iter().flatten().count(), 1);
-    }
-
-    #[test]
-    fn nerfs_layout_is_read_back() {
-        let (_keep, at) = written(&options(true));
-        let found = dataset::find(&at, None).unwrap().unwrap();
-        assert_eq!(found.poses.photos.len(), 7);
-        assert_eq!(found.held_out.unwrap().iter().filter(|h| **h).count(), 1);
-        let p = &found.poses.photos[3];
-        assert!((p.centre().length() - f64::from(NERF_DISTANCE)).abs() < 1e-4);
-        // All look at the middle.
-        let [x, y] = p.pixel(DVec3::ZERO).unwrap();
-        assert!((x - 32.0).abs() < 1e-3 && (y - 32.0).abs() < 1e-3);
-        let image = image::open(&p.file).unwrap().into_rgba8();
-        assert!(image.get_pixel(32, 32).0[3] == 255 && image.get_pixel(0, 0).0[3] == 0);
     }
 }

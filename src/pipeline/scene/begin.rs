@@ -36,8 +36,12 @@ pub fn gaussians(
     options: &Options,
 ) -> Result<(Gaussians, From)> {
     let local = |(p, color): &(DVec3, [u8; 3])| (to_unit.apply(*p).as_vec3(), color.map(|v| f32::from(v) / 255.0));
-    let mut points: Vec<(Vec3, [f32; 3])> =
-        poses.points.iter().map(local).filter(|(p, _)| p.is_finite() && p.length() < 1e4).collect();
+    let mut points: Vec<(Vec3, [f32; 3])> = poses
+        .points
+        .iter()
+        .map(local)
+        .filter(|(p, _)| p.is_finite() && p.length() < super::sky::beyond(extent))
+        .collect();
     let mut random = Random::new(options.seed ^ 0x706f_696e);
     let is_random = points.is_empty();
     if is_random {
@@ -87,6 +91,14 @@ pub fn flat(color: [f32; 3]) -> [[f32; 3]; SH_COEFFICIENTS] {
 /// Whether a point is in front of a camera and in its picture.
 pub fn sees(c: &Camera, p: Vec3) -> bool {
     pixel(c, p).is_some()
+}
+
+/// Whether it is in front of a camera and in its picture or up to a fifth of one beside it: something wide may reach in.
+pub fn nearly_sees(c: &Camera, p: Vec3) -> bool {
+    let q = c.rotation * p + c.translation;
+    let (x, y) = (c.fx * q.x / q.z + c.cx, c.fy * q.y / q.z + c.cy);
+    let (w, h) = (c.width as f32, c.height as f32);
+    q.z > 0.01 && (-0.2 * w..1.2 * w).contains(&x) && (-0.2 * h..1.2 * h).contains(&y)
 }
 
 /// Where a point falls in the picture.

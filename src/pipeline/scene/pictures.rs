@@ -9,8 +9,8 @@ use crate::photos::Posed;
 use crate::photos::crops::camera;
 use crate::pipeline::several::straightened;
 use crate::progress::Progress;
-use crate::splat::Target;
 use crate::splat::render::Shown;
+use crate::splat::{Camera, Target};
 use crate::{Error, Result};
 
 /// All photos of a set.
@@ -19,6 +19,37 @@ pub struct Pictures {
     pub targets: Vec<Target>,
     /// Whether any photo has an alpha channel that cuts something out.
     pub alpha: bool,
+}
+
+impl Pictures {
+    /// How many are trained on.
+    ///
+    /// # Errors
+    /// Usage for fewer than two.
+    pub fn trained_on(&self) -> Result<usize> {
+        match self.targets.iter().filter(|t| t.weight > 0.0).count() {
+            n @ 0..2 => Err(Error::usage("photos")
+                .expected("at least two photos to train on")
+                .found(n.to_string())
+                .advice("Hold fewer out: --test-every 0 holds none.")),
+            n => Ok(n),
+        }
+    }
+}
+
+/// The camera of a photo made no longer than `longest` pixels a side, in the unit frame.
+pub fn camera_of(posed: &Posed, to_unit: &Similarity, longest: u32) -> Camera {
+    let (w, h) = (posed.camera.width, posed.camera.height);
+    let size = made_smaller(w, h, longest);
+    let [fx, fy, cx, cy] = posed.camera.pinhole();
+    let (gx, gy) = (f64::from(size[0]) / f64::from(w), f64::from(size[1]) / f64::from(h));
+    let inside = [fx * gx, fy * gy, cx * gx, cy * gy];
+    camera(inside, (size[0] as usize, size[1] as usize), posed.rotation, posed.translation, to_unit)
+}
+
+fn made_smaller(w: u32, h: u32, longest: u32) -> [u32; 2] {
+    let shrink = (f64::from(longest) / f64::from(w.max(h))).min(1.0);
+    [w, h].map(|v| ((f64::from(v) * shrink).round() as u32).max(1))
 }
 
 /// Reads all photos, one at full size in memory at a time.
@@ -72,8 +103,7 @@ fn one(
             Some(if bent { posed.camera.undistorted(&rgb) } else { rgb })
         }
     };
-    let shrink = (f64::from(longest) / f64::from(w.max(h))).min(1.0);
-    let size = [w, h].map(|v| ((f64::from(v) * shrink).round() as u32).max(1));
+    let size = made_smaller(w, h, longest);
     let small = |image: &RgbImage| match size == [w, h] {
         true => image.clone(),
         false => imageops::thumbnail(image, size[0], size[1]),
@@ -93,13 +123,9 @@ fn one(
     };
     let of = |i: usize| alpha.as_ref().map_or(1.0, |a| a[i]);
     let color = pixels.pixels().enumerate().map(|(i, p)| straight((p, of(i)))).collect();
-    let [fx, fy, cx, cy] = posed.camera.pinhole();
-    let (gx, gy) =
-        (f64::from(size[0]) / f64::from(posed.camera.width), f64::from(size[1]) / f64::from(posed.camera.height));
-    let inside = [fx * gx, fy * gy, cx * gx, cy * gy];
     let cut_out = alpha.is_some();
     let target = Target {
-        camera: camera(inside, (size[0] as usize, size[1] as usize), posed.rotation, posed.translation, to_unit),
+        camera: camera_of(posed, to_unit, longest),
         color,
         alpha: alpha.unwrap_or_else(|| vec![1.0; (size[0] * size[1]) as usize]),
         weight: 1.0,

@@ -4,14 +4,13 @@ use glam::DMat4;
 use glam::DVec4;
 use rayon::prelude::*;
 
-use super::Pictures;
 use crate::Result;
 use crate::bench::{Picture, perception};
 use crate::models::Graph;
 use crate::progress::Progress;
 use crate::splat::render::Drawers;
 use crate::splat::train::exposure::{Change, NONE, applied};
-use crate::splat::{Camera, Target, Trained};
+use crate::splat::{Camera, Target};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
@@ -60,22 +59,23 @@ impl Scores {
     }
 }
 
-/// Every photo and its picture of the Gaussians. The targets are used up: their colours are not needed any more.
+/// Every photo and its picture of the Gaussians. The targets are used up: their colours are not needed any more. `cameras` and
+/// `exposures`: one a target.
 ///
 /// # Errors
 /// As [`perception::lpips`]; the user's interrupt.
 pub fn views(
-    pictures: &mut Pictures,
-    trained: &Trained,
+    targets: Vec<Target>,
+    drawers: &Drawers,
+    cameras: &[Camera],
+    exposures: &[Change],
     behind: [f32; 3],
     lpips: Option<&dyn Graph>,
     progress: &dyn Progress,
 ) -> Result<Vec<View>> {
-    let drawers = Drawers::new(&trained.gaussians);
-    let any_exposure = pictures.targets.iter().any(|t| t.fit_exposure);
-    let targets = std::mem::take(&mut pictures.targets);
+    let any_exposure = targets.iter().any(|t| t.fit_exposure);
     let all: Vec<(Target, Camera, Change)> =
-        targets.into_iter().zip(&trained.cameras).zip(&trained.exposures).map(|((t, c), e)| (t, *c, *e)).collect();
+        targets.into_iter().zip(cameras).zip(exposures).map(|((t, c), e)| (t, *c, *e)).collect();
     let mut views: Vec<View> = all
         .into_par_iter()
         .map(|(target, camera, exposure)| {

@@ -8,11 +8,25 @@ use super::begin::{flat, pixel};
 use crate::splat::{Gaussians, Target};
 
 /// Distance of the sky, in extents of the scene.
-const FAR: f32 = 60.0;
-/// Directions over the whole sphere, where the cap allows it.
-const DIRECTIONS: usize = 24_000;
-/// The sky begins with at most this part of the Gaussians.
+const FAR: f32 = 200.0;
+/// Beyond this part of that distance Gaussians are the sky's: they keep their number and places.
+const BEYOND: f32 = 0.5;
+/// The sky takes at most this part of the Gaussians, and no more than so many.
 const SHARE: usize = 10;
+const MOST: usize = 60_000;
+/// Of those, the part that stands behind all others over the whole dome, seen or not.
+const DOME_SHARE: usize = 10;
+const DOME_MOST: usize = 1000;
+/// The dome stands so many times farther out: it closes what is between the others.
+const DOME: f32 = 1.25;
+/// Directions by which it is found out how much of the sphere is sky.
+const PROBED: usize = 4096;
+/// No finer than so many pixels of the photos.
+const PIXELS: f32 = 1.5;
+/// Standard deviation in mean distances of neighbours, and logit of the opacity: with these no less than 99.6 % is covered
+/// at the worst place of a hexagonal lattice.
+const WIDTH: f32 = 0.7;
+const LOGIT: f32 = 3.0;
 /// Colours of one direction that differ more (standard deviation of a channel, sRGB) are of something near.
 const ALIKE: f32 = 0.05;
 /// Nor is a direction sky where the photo itself changes so much around it.
@@ -33,48 +47,73 @@ pub fn is_plain(s: &Seen) -> bool {
     s.share > 0.1 && s.gaussians.len() >= 30
 }
 
-/// Discs side by side on a sphere, of the colour that the photos see there. `None` where they see none. `most`: of all
-/// Gaussians of the scene.
+/// How far from the origin everything is the sky's.
+pub fn beyond(extent: f32) -> f32 {
+    BEYOND * FAR * extent
+}
+
+/// Direction `i` of `n` of Fibonacci's lattice: all as far apart.
+fn direction(i: usize, n: usize) -> Vec3 {
+    let golden = std::f32::consts::PI * (3.0 - 5f32.sqrt());
+    let z = 1.0 - 2.0 * (i as f32 + 0.5) / n as f32;
+    let turns = f64::from(golden) * i as f64;
+    let (sin, cos) = turns.sin_cos();
+    let across = (1.0 - z * z).sqrt();
+    Vec3::new(across * cos as f32, across * sin as f32, z)
+}
+
+/// The mean angle between neighbours of `n` directions.
+fn spacing(n: usize) -> f32 {
+    (4.0 * std::f32::consts::PI / n as f32).sqrt()
+}
+
+/// Discs side by side on a sphere where photos see the sky, of the colour that they see, and wide ones behind them over all
+/// that is above the horizon. `None` where no photo sees any. `most`: of all Gaussians of the scene.
 pub fn seen(targets: &[Target], extent: f32, most: usize) -> Option<Seen> {
-    let directions = DIRECTIONS.min(2 * most / SHARE).max(64);
     let radius = FAR * extent;
     let photos: Vec<&Target> = targets.iter().filter(|t| t.weight > 0.0).collect();
-    // Fibonacci's lattice: all as far apart.
-    let golden = std::f32::consts::PI * (3.0 - 5f32.sqrt());
-    let direction = |i: usize| {
-        let z = 1.0 - 2.0 * (i as f32 + 0.5) / directions as f32;
-        let (sin, cos) = (golden * i as f32).sin_cos();
-        Vec3::new((1.0 - z * z).sqrt() * cos, (1.0 - z * z).sqrt() * sin, z)
+    let looks = |n: usize| -> Vec<(Vec3, Look)> {
+        let above: Vec<Vec3> = (0..n).map(|i| direction(i, n)).filter(|d| d.z > LOWEST).collect();
+        above.into_par_iter().map(|d| (d, look(&photos, d * radius))).collect()
     };
-    let above: Vec<Vec3> = (0..directions).map(direction).filter(|d| d.z > LOWEST).collect();
-    let looks: Vec<Look> = above.par_iter().map(|d| look(&photos, *d * radius)).collect();
-    let asked = looks.iter().filter(|l| matches!(l, Look::Sky(_) | Look::Other)).count();
-    let sure: Vec<(Vec3, [f32; 3])> = above.iter().zip(&looks).filter_map(|(d, l)| Some((*d, l.sky()?))).collect();
+    let probed = looks(PROBED);
+    let asked = probed.iter().filter(|(_, l)| matches!(l, Look::Sky(_) | Look::Other)).count();
+    let sure: Vec<(Vec3, [f32; 3])> = probed.iter().filter_map(|(d, l)| Some((*d, l.sky()?))).collect();
     if sure.is_empty() {
         return None;
     }
-    let colors: Vec<Option<[f32; 3]>> = above
-        .par_iter()
-        .zip(&looks)
-        .map(|(d, l)| match l {
-            Look::Other => None,
-            Look::Sky(color) => Some(*color),
-            // Near the horizon something may stand that no photo shows.
-            Look::Once(color) => (d.z > LOWEST_ALONE).then_some(*color),
-            Look::Unseen => (d.z > LOWEST_ALONE).then(|| around(*d, &sure)),
-        })
-        .collect();
-    let mut g = Gaussians::default();
-    // The mean distance of neighbours on the sphere.
-    let spacing = radius * (4.0 * std::f32::consts::PI / directions as f32).sqrt();
-    for (d, color) in above.iter().zip(colors).filter_map(|(d, c)| Some((d, c?))) {
-        let q = Quat::from_rotation_arc(Vec3::Z, *d);
-        g.positions.push(*d * radius);
-        g.log_scales.push(Vec3::new(0.6 * spacing, 0.6 * spacing, 0.1 * spacing).map(f32::ln));
-        g.rotations.push([q.w, q.x, q.y, q.z]);
-        g.logit_opacities.push(2.0);
-        g.sh.push(flat(color));
+    let shown = probed.iter().filter(|(d, l)| l.shown(*d).is_some()).count().max(1);
+    let all = (most / SHARE).clamp(30, MOST);
+    let dome = (all / DOME_SHARE).clamp(20, DOME_MOST);
+    // So many over the whole sphere that those where sky is seen are what is left.
+    let finest = photos.iter().map(|t| t.camera.fx.max(t.camera.fy)).fold(1.0, f32::max);
+    let pixels = 4.0 * std::f32::consts::PI * (finest / PIXELS).powi(2);
+    // Twice as many over the sphere as are above the horizon.
+    let behind: Vec<Vec3> = (0..2 * dome).map(|i| direction(i, 2 * dome)).filter(|d| d.z > LOWEST).collect();
+    let left = all.saturating_sub(behind.len()).max(1);
+    let mut fine = (left * PROBED / shown).min(pixels as usize).max(64);
+    let discs = |n: usize| -> Vec<(Vec3, [f32; 3])> {
+        looks(n).into_iter().filter_map(|(d, l)| Some((d, l.shown(d)?))).collect()
+    };
+    let mut before = discs(fine);
+    // The probe's share is not exact.
+    while before.len() > left && fine > 64 {
+        fine = (fine * left / before.len()).min(fine - fine / 100 - 1).max(64);
+        before = discs(fine);
     }
+    let mut g = Gaussians::default();
+    let mut disc = |d: Vec3, color: [f32; 3], radius: f32, n: usize| {
+        let q = Quat::from_rotation_arc(Vec3::Z, d);
+        let wide = WIDTH * spacing(n) * radius;
+        g.positions.push(d * radius);
+        g.log_scales.push(Vec3::new(wide, wide, 0.1 * wide).map(f32::ln));
+        g.rotations.push([q.w, q.x, q.y, q.z]);
+        g.logit_opacities.push(LOGIT);
+        g.sh.push(flat(color));
+    };
+    before.into_iter().for_each(|(d, c)| disc(d, c, radius, fine));
+    let colors: Vec<[f32; 3]> = behind.par_iter().map(|d| around(*d, &sure)).collect();
+    behind.into_iter().zip(colors).for_each(|(d, c)| disc(d, c, DOME * radius, 2 * dome));
     Some(Seen { share: sure.len() as f32 / asked.max(1) as f32, gaussians: g })
 }
 
@@ -85,6 +124,8 @@ enum Look {
     Sky([f32; 3]),
     /// One sees a plain colour.
     Once([f32; 3]),
+    /// Several see the same plain colour, others something before it.
+    Some([f32; 3]),
     /// Something is there.
     Other,
     Unseen,
@@ -94,6 +135,15 @@ impl Look {
     fn sky(&self) -> Option<[f32; 3]> {
         match self {
             Look::Sky(color) => Some(*color),
+            _ => None,
+        }
+    }
+
+    /// The colour where a disc of its own is worth having. Near the horizon something may stand that no photo shows.
+    fn shown(&self, d: Vec3) -> Option<[f32; 3]> {
+        match self {
+            Look::Sky(color) => Some(*color),
+            Look::Once(color) | Look::Some(color) if d.z > LOWEST_ALONE => Some(*color),
             _ => None,
         }
     }
@@ -113,7 +163,7 @@ fn around(d: Vec3, sure: &[(Vec3, [f32; 3])]) -> [f32; 3] {
 
 fn look(photos: &[&Target], at: Vec3) -> Look {
     let mut colors: Vec<[f32; 3]> = Vec::new();
-    let mut plain = 0usize;
+    let mut plain: Vec<[f32; 3]> = Vec::new();
     for t in photos {
         let Some([x, y]) = pixel(&t.camera, at) else { continue };
         let (w, h) = (t.camera.width as usize, t.camera.height as usize);
@@ -131,31 +181,53 @@ fn look(photos: &[&Target], at: Vec3) -> Look {
             (x, (y + reach).min(h - 1)),
         ];
         let differs = |(u, v): (usize, usize)| (0..3).any(|c| (t.color[v * w + u][c] - t.color[i][c]).abs() > PLAIN);
-        plain += usize::from(!beside.into_iter().any(differs));
+        if !beside.into_iter().any(differs) {
+            plain.push(t.color[i]);
+        }
     }
-    let n = colors.len();
-    match n {
-        0 => return Look::Unseen,
-        1 if plain == 1 => return Look::Once(colors[0]),
-        1 => return Look::Other,
+    match (colors.len(), plain.len()) {
+        (0, _) => return Look::Unseen,
+        (1, 1) => return Look::Once(colors[0]),
+        (1, _) => return Look::Other,
         _ => {}
     }
-    let mean: [f32; 3] = std::array::from_fn(|c| colors.iter().map(|v| v[c]).sum::<f32>() / n as f32);
-    let deviation = |c: usize| (colors.iter().map(|v| (v[c] - mean[c]).powi(2)).sum::<f32>() / n as f32).sqrt();
-    // Exposures that differ change all channels alike: compared once more with brightness taken out.
-    let tint = |c: usize| {
-        let share = |v: &[f32; 3]| v[c] / (v[0] + v[1] + v[2]).max(1e-3);
-        let m = colors.iter().map(share).sum::<f32>() / n as f32;
-        (colors.iter().map(|v| (share(v) - m).powi(2)).sum::<f32>() / n as f32).sqrt()
+    if 4 * plain.len() >= 3 * colors.len() && alike(&colors) {
+        return Look::Sky(mean(&colors));
+    }
+    // Something stands before it in some: what most of the others agree on, the median's neighbours.
+    let median: [f32; 3] = std::array::from_fn(|c| {
+        let mut of: Vec<f32> = plain.iter().map(|v| v[c]).collect();
+        of.sort_by(f32::total_cmp);
+        of.get(of.len() / 2).copied().unwrap_or(0.0)
+    });
+    let near = |v: &&[f32; 3]| (0..3).all(|c| (v[c] - median[c]).abs() < 2.0 * ALIKE);
+    let agreed: Vec<[f32; 3]> = plain.iter().filter(near).copied().collect();
+    if agreed.len() >= 2 && 2 * agreed.len() >= colors.len() && alike(&agreed) {
+        return Look::Some(mean(&agreed));
+    }
+    Look::Other
+}
+
+fn mean(colors: &[[f32; 3]]) -> [f32; 3] {
+    std::array::from_fn(|c| colors.iter().map(|v| v[c]).sum::<f32>() / colors.len().max(1) as f32)
+}
+
+/// Whether photos see the same.
+fn alike(colors: &[[f32; 3]]) -> bool {
+    let spread = |of: &dyn Fn(&[f32; 3]) -> f32| {
+        let n = colors.len().max(1) as f32;
+        let m = colors.iter().map(of).sum::<f32>() / n;
+        (colors.iter().map(|v| (of(v) - m).powi(2)).sum::<f32>() / n).sqrt()
     };
-    let alike = (0..3).all(|c| deviation(c) < ALIKE);
-    let alike = alike || (0..3).all(|c| deviation(c) < 3.0 * ALIKE && tint(c) < 0.3 * ALIKE);
-    if alike && 4 * plain >= 3 * n { Look::Sky(mean) } else { Look::Other }
+    let deviation = |c: usize| spread(&|v| v[c]);
+    // Exposures that differ change all channels alike: compared once more with brightness taken out.
+    let tint = |c: usize| spread(&|v| v[c] / (v[0] + v[1] + v[2]).max(1e-3));
+    (0..3).all(|c| deviation(c) < ALIKE) || (0..3).all(|c| deviation(c) < 3.0 * ALIKE && tint(c) < 0.3 * ALIKE)
 }
 
 /// The Gaussians with the sky's at the end, and how many those are.
 pub fn last(g: Gaussians, extent: f32) -> (Gaussians, usize) {
-    let far = 0.5 * FAR * extent;
+    let far = beyond(extent);
     let is_sky = |i: usize| g.positions[i].length() > far;
     let count = (0..g.len()).filter(|i| is_sky(*i)).count();
     if count == 0 {
@@ -164,4 +236,91 @@ pub fn last(g: Gaussians, extent: f32) -> (Gaussians, usize) {
     let mut out = g.filtered(|i| !is_sky(i));
     out.extend(&g.filtered(is_sky));
     (out, count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::splat::render::Shown;
+    use crate::splat::{Camera, render};
+
+    /// Blue above, white at the horizon.
+    fn blue(d: Vec3) -> [f32; 3] {
+        [0.8 - 0.5 * d.z.max(0.0), 0.85 - 0.3 * d.z.max(0.0), 0.9]
+    }
+
+    /// From eight places around, a little upwards: sky, ground below it, and before the sky a wall seen from half of them.
+    fn photos() -> Vec<Target> {
+        (0..8)
+            .map(|k| {
+                let (sin, cos) = (k as f32 * 0.785).sin_cos();
+                let eye = Vec3::new(cos, sin, 0.3);
+                let square = Camera::look_at(eye, Vec3::new(-cos, -sin, 0.6), 1.1, 80);
+                let camera = Camera { height: 60, cy: 30.0, ..square };
+                let back = camera.rotation.transpose();
+                let color = |i: usize| {
+                    let (x, y) = ((i % 80) as f32 + 0.5, (i / 80) as f32 + 0.5);
+                    let d = back * Vec3::new((x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy, 1.0);
+                    let d = d.normalize();
+                    let wall = k % 2 == 0 && d.z < 0.2 && x < 30.0;
+                    if d.z < 0.0 || wall { [0.2, 0.1 + 0.3 * (i % 2) as f32, 0.1] } else { blue(d) }
+                };
+                Target {
+                    camera,
+                    color: (0..80 * 60).map(color).collect(),
+                    alpha: vec![1.0; 80 * 60],
+                    weight: 1.0,
+                    refine_pose: false,
+                    fit_exposure: false,
+                    held_back: None,
+                    shown: Shown::Color,
+                    name: String::new(),
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_dome_is_closed_and_has_the_photos_colours() {
+        let targets = photos();
+        let s = seen(&targets, 1.0, 20_000).unwrap();
+        assert!(is_plain(&s) && s.gaussians.len() <= 2000, "{} {}", s.share, s.gaussians.len());
+        assert!(s.gaussians.positions.iter().all(|p| p.length() > 0.99 * FAR));
+        // From anywhere near, in any direction above the horizon, seen or not: opaque, and the sky's colour.
+        for (k, t) in targets.iter().enumerate() {
+            let back = t.camera.rotation.transpose();
+            let up = Camera::look_at(
+                t.camera.position(),
+                t.camera.position() + Vec3::new(0.3, k as f32 - 4.0, 4.0),
+                1.0,
+                40,
+            );
+            let overhead = render(&s.gaussians, &up, [0.0; 3]);
+            assert!(overhead.alpha.iter().all(|a| *a > 0.98), "{:?}", overhead.alpha.iter().copied().reduce(f32::min));
+            let frame = render(&s.gaussians, &t.camera, [0.0; 3]);
+            for i in 0..frame.color.len() {
+                let (x, y) = ((i % 80) as f32 + 0.5, (i / 80) as f32 + 0.5);
+                let d = (back * Vec3::new((x - t.camera.cx) / t.camera.fx, (y - t.camera.cy) / t.camera.fy, 1.0))
+                    .normalize();
+                if d.z > 0.1 {
+                    assert!(frame.alpha[i] > 0.98, "{d} {}", frame.alpha[i]);
+                }
+                // Lower, half of the photos see the wall: there it is the colour of the sky around.
+                if d.z > 0.3 {
+                    let off = (0..3).map(|c| (frame.color[i][c] - blue(d)[c]).abs()).fold(0.0, f32::max);
+                    assert!(off < 0.1, "{d} {:?} {:?}", frame.color[i], blue(d));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_alike_there_is_no_sky() {
+        let mut targets = photos();
+        for (k, t) in targets.iter_mut().enumerate() {
+            let n = t.color.len();
+            t.color = (0..n).map(|i| [((i * 7 + k * 13) % 10) as f32 / 10.0; 3]).collect();
+        }
+        assert!(seen(&targets, 1.0, 20_000).is_none_or(|s| !is_plain(&s)));
+    }
 }

@@ -84,6 +84,8 @@ pub fn advance(
         let how = update::How {
             degree,
             rates: options.lane_rates(iteration),
+            still_rates: options.still_rates(iteration),
+            moving: options.moving,
             corrections: &corrections,
             noise: options.noise(iteration),
             regulariser: options.regulariser() / gaussians.len().max(1) as f32,
@@ -101,16 +103,13 @@ pub fn advance(
         done = iteration + 1;
         if options.refines_after(done) {
             let mut random = random::Random::new(options.seed ^ random::hash(done as u64));
-            let d = &options.density;
-            match d.strategy {
-                Strategy::Paper => {
-                    density::refine(&mut gaussians, &mut moments, &mut statistics, d, options.scene_extent, &mut random)
-                }
-                Strategy::Mcmc => mcmc::relocate(&mut gaussians, &mut moments, &mut statistics, d, &mut random),
+            match options.density.strategy {
+                Strategy::Paper => density::refine(&mut gaussians, &mut moments, &mut statistics, options, &mut random),
+                Strategy::Mcmc => mcmc::relocate(&mut gaussians, &mut moments, &mut statistics, options, &mut random),
             }
         }
         if options.resets_after(done) {
-            density::reset_opacity(&mut gaussians, &mut moments, options.density.prune_opacity);
+            density::reset_opacity(&mut gaussians, &mut moments, options);
         }
         seconds.density += lap();
         progress.step(done as u64);

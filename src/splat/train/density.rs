@@ -5,7 +5,7 @@ use glam::{Mat3, Quat, Vec3};
 
 use super::adam::Moments;
 use super::random::Random;
-use super::schedule::Density;
+use super::schedule::{Options, Region};
 use crate::splat::packed::{Core, OPACITY, POSITION, Packed, ROTATION, SCALE};
 
 /// For each Gaussian: Σ |∂L/∂mean| in normalised device units, and in how many pictures it was seen.
@@ -20,22 +20,30 @@ impl Statistics {
     }
 }
 
+/// Whether a Gaussian keeps its place and shape. One that is nowhere does not.
+#[inline(always)]
+pub fn is_still(core: &Core, moving: &Region) -> bool {
+    let p = [core[POSITION], core[POSITION + 1], core[POSITION + 2]];
+    p.iter().all(|v| v.is_finite()) && !moving.holds(p)
+}
+
 /// One round: grows, prunes, and starts the statistics anew.
 pub fn refine(
     gaussians: &mut Packed,
     moments: &mut Moments,
     statistics: &mut Statistics,
-    density: &Density,
-    scene_extent: f32,
+    options: &Options,
     random: &mut Random,
 ) {
+    let density = &options.density;
+    let still = |core: &Core| is_still(core, &options.moving);
     let n = gaussians.len();
     let mut pulled: Vec<(f32, usize)> = statistics
         .seen
         .iter()
         .enumerate()
         .map(|(i, [sum, count])| (sum / count.max(1.0), i))
-        .filter(|(g, _)| *g > density.gradient)
+        .filter(|(g, i)| *g > density.gradient && !still(&gaussians.core[*i]))
         .collect();
     // The hardest pulled first; ties by index.
     pulled.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
@@ -47,7 +55,7 @@ pub fn refine(
         let scales: [f32; 3] = std::array::from_fn(|k| core[SCALE + k].exp());
         let largest = scales.iter().fold(0.0f32, |a, b| a.max(*b));
         let sh = gaussians.sh[i];
-        let children = if largest > density.split_scale * scene_extent {
+        let children = if largest > density.split_scale * options.scene_extent {
             keep[i] = false;
             2
         } else {
@@ -65,7 +73,7 @@ pub fn refine(
     keep.resize(gaussians.len(), true);
     let faintest = (density.prune_opacity / (1.0 - density.prune_opacity)).ln();
     for (keep, core) in keep.iter_mut().zip(&gaussians.core) {
-        *keep &= core[OPACITY] >= faintest;
+        *keep &= core[OPACITY] >= faintest || still(core);
     }
     let mut at = keep.iter();
     gaussians.core.retain(|_| *at.next().unwrap_or(&true));
@@ -93,10 +101,12 @@ fn sample(core: &Core, scales: [f32; 3], random: &mut Random) -> Core {
     child
 }
 
-/// Brings every opacity down to at most twice the pruning threshold, and forgets its moments.
-pub fn reset_opacity(gaussians: &mut Packed, moments: &mut Moments, prune_opacity: f32) {
+/// Brings every opacity but those of Gaussians that keep still down to at most twice the pruning threshold, and forgets its moments.
+pub fn reset_opacity(gaussians: &mut Packed, moments: &mut Moments, options: &Options) {
+    let prune_opacity = options.density.prune_opacity;
     let most = (2.0 * prune_opacity / (1.0 - 2.0 * prune_opacity)).ln();
-    for (core, moments) in gaussians.core.iter_mut().zip(&mut moments.core) {
+    let all = gaussians.core.iter_mut().zip(&mut moments.core);
+    for (core, moments) in all.filter(|(core, _)| !is_still(core, &options.moving)) {
         core[OPACITY] = core[OPACITY].min(most);
         moments[0][OPACITY] = 0.0;
         moments[1][OPACITY] = 0.0;

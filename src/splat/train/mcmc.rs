@@ -5,9 +5,9 @@
 use glam::{Mat3, Quat, Vec3};
 
 use super::adam::Moments;
-use super::density::Statistics;
+use super::density::{Statistics, is_still};
 use super::random::{Random, hash};
-use super::schedule::Density;
+use super::schedule::{Density, Options};
 use crate::splat::packed::{Core, OPACITY, POSITION, Packed, ROTATION, SCALE};
 
 /// Steepness and scale of the noise as in gsplat: times the position's rate.
@@ -31,16 +31,19 @@ pub fn relocate(
     gaussians: &mut Packed,
     moments: &mut Moments,
     statistics: &mut Statistics,
-    density: &Density,
+    options: &Options,
     random: &mut Random,
 ) {
+    let density = &options.density;
     let n = gaussians.len();
     let mut running = Vec::with_capacity(n);
     let mut sum = 0.0f64;
     let mut targets = Vec::new();
     for (i, core) in gaussians.core.iter().enumerate() {
         let o = opaque(core[OPACITY]);
-        if o > density.prune_opacity {
+        if is_still(core, &options.moving) {
+            // Neither dead nor copied.
+        } else if o > density.prune_opacity {
             sum += f64::from(o);
         } else {
             targets.push(i);
@@ -149,8 +152,9 @@ mod tests {
         let mut moments = Moments::new(&g);
         moments.steps.fill(5);
         let mut statistics = Statistics::new(50);
-        let d = Density { growth: 0.05, max_gaussians: 51, ..crate::splat::Options::default().density };
-        relocate(&mut g, &mut moments, &mut statistics, &d, &mut Random::new(1));
+        let d = Density { growth: 0.05, max_gaussians: 51, ..Options::default().density };
+        let o = Options { density: d, ..Options::default() };
+        relocate(&mut g, &mut moments, &mut statistics, &o, &mut Random::new(1));
         assert_eq!((g.len(), moments.steps.len(), statistics.seen.len()), (51, 51, 51));
         assert!(g.core.iter().all(|c| opaque(c[OPACITY]) > d.prune_opacity));
         assert!(moments.steps[..11].iter().all(|s| *s == 0));

@@ -20,7 +20,7 @@ use std::time::Instant;
 
 pub use checkpoint::{Checkpoint, Kept, Saved};
 pub use quality::Quality;
-pub use schedule::{Behind, Density, Options, Rates, Strategy};
+pub use schedule::{Behind, Density, Options, Rates, Region, Strategy};
 
 use super::render::gpu::Gpu;
 use super::render::{Raster, Shown};

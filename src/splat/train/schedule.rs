@@ -59,6 +59,33 @@ pub struct Density {
     pub reset_every: usize,
 }
 
+/// An upright box within a ball about the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    pub radius: f32,
+    /// x and y.
+    pub low: [f32; 2],
+    pub high: [f32; 2],
+}
+
+impl Region {
+    /// Its square is finite.
+    const FAR: f32 = 1e19;
+    pub const EVERYWHERE: Region = Region { radius: Self::FAR, low: [-Self::FAR; 2], high: [Self::FAR; 2] };
+
+    #[inline(always)]
+    pub fn holds(&self, p: [f32; 3]) -> bool {
+        p[0] * p[0] + p[1] * p[1] + p[2] * p[2] <= self.radius * self.radius
+            && (0..2).all(|k| p[k] >= self.low[k] && p[k] <= self.high[k])
+    }
+
+    /// As shaders/region.wgsl has it.
+    pub(super) fn words(&self) -> [[f32; 4]; 2] {
+        let [a, b] = [self.low, self.high];
+        [[a[0], a[1], b[0], b[1]], [self.radius * self.radius, 0.0, 0.0, 0.0]]
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     pub iterations: usize,
@@ -73,6 +100,8 @@ pub struct Options {
     /// One more degree of harmonics every so many iterations.
     pub sh_degree_every: usize,
     pub density: Density,
+    /// Gaussians outside keep their number, places and shapes; their colours and opacities are learnt.
+    pub moving: Region,
     /// Poses are refined from this iteration on.
     pub pose_from: usize,
     /// Weight of an exposure's squared distance from none in the loss.
@@ -120,6 +149,7 @@ impl Default for Options {
                 max_gaussians: 1_000_000,
                 reset_every: 3000,
             },
+            moving: Region::EVERYWHERE,
             pose_from: 500,
             exposure_hold: 1e-2,
             shuffled: false,
@@ -255,6 +285,12 @@ impl Options {
     pub(super) fn lane_rates(&self, iteration: usize) -> LaneRates {
         let r = self.rates_at(iteration);
         LaneRates::new(r.position, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
+    }
+
+    /// Of those that keep their places and shapes.
+    pub(super) fn still_rates(&self, iteration: usize) -> LaneRates {
+        let r = self.rates_at(iteration);
+        LaneRates::new(0.0, r.opacity, 0.0, 0.0, r.color, r.harmonics)
     }
 
     pub(super) fn rates_at(&self, iteration: usize) -> RatesNow {

@@ -164,13 +164,56 @@ fn density_clones_splits_and_prunes() {
     let before = packed.clone();
     let mut random = random::Random::new(1);
     let d = Density { max_gaussians: 10, ..Options::default().density };
-    density::refine(&mut packed, &mut moments, &mut statistics, &d, 4.0, &mut random);
+    let o = Options { density: d, scene_extent: 4.0, ..Options::default() };
+    density::refine(&mut packed, &mut moments, &mut statistics, &o, &mut random);
     // 0 and its clone, 3, the halves of 1; 1 itself and 2 are gone. The hardest pulled grows first.
     assert_eq!(packed.len(), 5);
     assert_eq!((packed.core[0], packed.core[1]), (before.core[0], before.core[3]));
     assert!((packed.core[2][8] - (before.core[1][8] - 1.6f32.ln())).abs() < 1e-6);
     assert_eq!(packed.core[4], before.core[0]);
     assert_eq!((moments.steps.len(), statistics.seen.len(), packed.sh.len()), (5, 5, 5));
+}
+
+#[test]
+fn outside_its_region_nothing_moves_multiplies_or_fades() {
+    let region = Region { radius: 100.0, low: [-0.5; 2], high: [0.5; 2] };
+    let (mut packed, mut seen) = (Packed::pack(&scene(6, 0.1, 2)), Vec::new());
+    for (i, core) in packed.core.iter_mut().enumerate() {
+        core[crate::splat::packed::POSITION..][..3].fill([0.0, 200.0, 0.6][i % 3]);
+        core[crate::splat::packed::OPACITY] = if i < 3 { 3.0 } else { -9.0 };
+        seen.push([1.0f32, 1.0]);
+    }
+    let before = packed.clone();
+    for strategy in [Strategy::Paper, Strategy::Mcmc] {
+        let mut packed = before.clone();
+        let mut moments = adam::Moments::new(&packed);
+        let mut statistics = density::Statistics { seen: seen.clone() };
+        let d = Density { strategy, max_gaussians: 10, growth: 0.5, ..Options::default().density };
+        let o = Options { density: d, moving: region, ..Options::default() };
+        let mut random = random::Random::new(1);
+        match strategy {
+            Strategy::Paper => density::refine(&mut packed, &mut moments, &mut statistics, &o, &mut random),
+            Strategy::Mcmc => mcmc::relocate(&mut packed, &mut moments, &mut statistics, &o, &mut random),
+        }
+        density::reset_opacity(&mut packed, &mut moments, &o);
+        // Those within have grown, or been split, and lost opacity; the dead one is gone or has moved.
+        assert!(packed.core.iter().filter(|c| region.holds([c[0], c[1], c[2]])).count() >= 2);
+        assert_ne!(packed.core[0], before.core[0]);
+        for i in [1, 2, 4, 5] {
+            assert_eq!(packed.core.iter().filter(|c| **c == before.core[i]).count(), 1, "{strategy:?} {i}");
+        }
+    }
+    // A whole run: places and shapes stay, colours do not.
+    let (targets, start) = problem();
+    let nowhere = Region { radius: 0.0, ..Region::EVERYWHERE };
+    for strategy in [Strategy::Paper, Strategy::Mcmc] {
+        let o = Options { moving: nowhere, ..Options::scaled(60) };
+        let o = if strategy == Strategy::Mcmc { o.with_mcmc() } else { o };
+        let done = train(Engine::Cpu, start.clone(), &targets, &o, &Silent).unwrap();
+        assert_eq!(done.gaussians.positions, start.positions);
+        assert_eq!((&done.gaussians.log_scales, &done.gaussians.rotations), (&start.log_scales, &start.rotations));
+        assert!(done.gaussians.sh != start.sh);
+    }
 }
 
 #[test]

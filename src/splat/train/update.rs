@@ -4,8 +4,10 @@ use rayon::prelude::*;
 
 use super::adam::{LaneRates, Moments, step};
 use super::density::Statistics;
+use super::density::is_still;
 use super::mcmc;
 use super::random::hash;
+use super::schedule::Region;
 use crate::splat::packed::{Core, OPACITY, Packed, SCALE, Sh};
 use crate::splat::render::Raster;
 use crate::splat::render::projection::{Shown, View, backward};
@@ -18,6 +20,9 @@ const CHUNK: usize = 512;
 pub struct How<'a> {
     pub degree: usize,
     pub rates: LaneRates,
+    /// Those of Gaussians outside `moving`.
+    pub still_rates: LaneRates,
+    pub moving: Region,
     /// Adam's, by the step.
     pub corrections: &'a [[f32; 2]],
     /// MCMC's: factor and seed.
@@ -68,13 +73,15 @@ impl Kernel for Chunk<'_> {
                     g.core[k] += how.regulariser / 3.0 * self.core[i][k].exp();
                 }
             }
+            let still = is_still(&self.core[i], &how.moving);
+            let rates = if still { &how.still_rates } else { &how.rates };
             let [m, v] = &mut self.core_moments[i];
-            step(s, &mut self.core[i], (m, v), &g.core, &how.rates.core, correction);
+            step(s, &mut self.core[i], (m, v), &g.core, &rates.core, correction);
             if self.view.shown == Shown::Color {
                 let [m, v] = &mut self.sh_moments[i];
-                step(s, &mut self.sh[i], (m, v), &g.sh, &how.rates.sh, correction);
+                step(s, &mut self.sh[i], (m, v), &g.sh, &rates.sh, correction);
             }
-            if how.noise.0 > 0.0 {
+            if how.noise.0 > 0.0 && !still {
                 mcmc::disturb(&mut self.core[i], how.noise.0, how.noise.1 ^ hash((self.start + i) as u64));
             }
         }

@@ -26,6 +26,7 @@ struct Refine {
     faintest: f32,
     ceiling: f32,
     seed: [u32; 4],
+    moving: [[f32; 4]; 2],
 }
 
 fn logit(p: f32) -> f32 {
@@ -64,6 +65,7 @@ fn parameters(run: &Run, options: &Options) -> Refine {
             let [a, b] = halves(hash(options.seed ^ hash(run.done as u64)));
             [a, b, 0, 0]
         },
+        moving: options.moving.words(),
     }
 }
 
@@ -122,7 +124,7 @@ fn refine(run: &mut Run, options: &Options) -> Result<()> {
     );
     let order = if sort::passes(31).is_multiple_of(2) { &order_a } else { &order_b };
     let before = [
-        bound(gpu, &k.refine_mark, &[&uniform, &run.model.seen, &keys_a, &kinds, &counts], direct(n)),
+        bound(gpu, &k.refine_mark, &[&uniform, &run.model.seen, &keys_a, &kinds, &counts, core], direct(n)),
         bound(gpu, &k.refine_plan, &[&uniform, &counts, &items, &dispatches], Size::Direct(1, 1)),
     ];
     let after = [

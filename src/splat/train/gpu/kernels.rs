@@ -81,17 +81,21 @@ impl Kernels {
         let plain = |label: &str, source: &str| compile(gpu, label, source, &[]);
         Kernels {
             radix: Radix::new(gpu),
-            begin: plain("begin", sources!("view", "training", "chunk", "begin")),
-            ssim: plain("ssim", sources!("view", "training", "exposure", "hash", "backdrop", "window", "ssim")),
+            begin: plain("begin", sources!("view", "region", "training", "chunk", "begin")),
+            ssim: plain(
+                "ssim",
+                sources!("view", "region", "training", "exposure", "hash", "backdrop", "window", "ssim"),
+            ),
             loss_gradient: plain(
                 "loss_gradient",
-                sources!("view", "training", "exposure", "hash", "backdrop", "window", "loss_gradient"),
+                sources!("view", "region", "training", "exposure", "hash", "backdrop", "window", "loss_gradient"),
             ),
             raster_backward,
             update: plain(
                 "update",
                 sources!(
                     "view",
+                    "region",
                     "training",
                     "chunk",
                     "rotation",
@@ -110,6 +114,7 @@ impl Kernels {
                 "gradient",
                 sources!(
                     "view",
+                    "region",
                     "training",
                     "chunk",
                     "rotation",
@@ -122,23 +127,26 @@ impl Kernels {
                     "gradient"
                 ),
             ),
-            end: plain("end", sources!("view", "training", "end")),
-            exposure_step: plain("exposure_step", sources!("view", "training", "exposure", "exposure_step")),
-            refine_mark: plain("refine_mark", sources!("view", "refine", "refine_mark")),
-            refine_plan: plain("refine_plan", sources!("blocks", "refine", "refine_plan")),
-            refine_choose: plain("refine_choose", sources!("refine", "refine_choose")),
-            refine_count: plain("refine_count", sources!("blocks", "refine", "refine_items", "refine_count")),
+            end: plain("end", sources!("view", "region", "training", "end")),
+            exposure_step: plain("exposure_step", sources!("view", "region", "training", "exposure", "exposure_step")),
+            refine_mark: plain("refine_mark", sources!("view", "region", "refine", "refine_mark")),
+            refine_plan: plain("refine_plan", sources!("blocks", "region", "refine", "refine_plan")),
+            refine_choose: plain("refine_choose", sources!("region", "refine", "refine_choose")),
+            refine_count: plain("refine_count", sources!("blocks", "region", "refine", "refine_items", "refine_count")),
             scan_blocks: plain("scan_blocks", sources!("blocks", "scan_blocks")),
-            refine_place: plain("refine_place", sources!("blocks", "refine", "refine_items", "refine_place")),
+            refine_place: plain("refine_place", sources!("blocks", "region", "refine", "refine_items", "refine_place")),
             gather: plain("gather", sources!("gather")),
-            refine_split: plain("refine_split", sources!("refine", "rotation", "hash", "normals", "refine_split")),
-            opacity_reset: plain("opacity_reset", sources!("refine", "opacity_reset")),
-            mcmc_count: plain("mcmc_count", sources!("blocks", "mcmc", "mcmc_share", "mcmc_count")),
-            mcmc_scan: plain("mcmc_scan", sources!("blocks", "mcmc", "mcmc_scan")),
-            mcmc_place: plain("mcmc_place", sources!("blocks", "mcmc", "mcmc_share", "mcmc_place")),
-            mcmc_draw: plain("mcmc_draw", sources!("mcmc", "hash", "mcmc_draw")),
-            mcmc_share_out: plain("mcmc_share_out", sources!("mcmc", "mcmc_share_out")),
-            mcmc_copy: plain("mcmc_copy", sources!("mcmc", "mcmc_copy")),
+            refine_split: plain(
+                "refine_split",
+                sources!("region", "refine", "rotation", "hash", "normals", "refine_split"),
+            ),
+            opacity_reset: plain("opacity_reset", sources!("region", "refine", "opacity_reset")),
+            mcmc_count: plain("mcmc_count", sources!("blocks", "region", "mcmc", "mcmc_share", "mcmc_count")),
+            mcmc_scan: plain("mcmc_scan", sources!("blocks", "region", "mcmc", "mcmc_scan")),
+            mcmc_place: plain("mcmc_place", sources!("blocks", "region", "mcmc", "mcmc_share", "mcmc_place")),
+            mcmc_draw: plain("mcmc_draw", sources!("region", "mcmc", "hash", "mcmc_draw")),
+            mcmc_share_out: plain("mcmc_share_out", sources!("region", "mcmc", "mcmc_share_out")),
+            mcmc_copy: plain("mcmc_copy", sources!("region", "mcmc", "mcmc_copy")),
         }
     }
 }

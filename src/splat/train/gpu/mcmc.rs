@@ -22,6 +22,7 @@ struct Mcmc {
     faintest: f32,
     pad: [u32; 3],
     seed: [u32; 4],
+    moving: [[f32; 4]; 2],
 }
 
 pub fn relocate(run: &mut Run, options: &Options) -> Result<()> {
@@ -40,6 +41,7 @@ pub fn relocate(run: &mut Run, options: &Options) -> Result<()> {
         faintest: options.density.prune_opacity,
         pad: [0; 3],
         seed: [low, high, 0, 0],
+        moving: options.moving.words(),
     });
     let words = |label: &str, count: u32| gpu.buffer(label, 4 * u64::from(count));
     let block_count = n.div_ceil(SCAN_BLOCK);

@@ -15,6 +15,7 @@ pub struct Step {
     pub words: [u32; 4],
     pub more_words: [u32; 4],
     pub exposure: [f32; 4],
+    pub moving: [[f32; 4]; 2],
 }
 
 pub fn halves(v: u64) -> [u32; 2] {
@@ -45,6 +46,7 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
                 more_words: [low, high, u32::from(target.shown == Shown::Normals), 0],
                 exposure: if target.fit_exposure { [r.exposure, options.exposure_hold, 0.0, 0.0] } else { [0.0; 4] },
+                moving: options.moving.words(),
             })
         })
         .collect()
