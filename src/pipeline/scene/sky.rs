@@ -23,9 +23,10 @@ const DOME: f32 = 1.25;
 const PROBED: usize = 4096;
 /// No finer than so many pixels of the photos.
 const PIXELS: f32 = 1.5;
-/// Standard deviation in mean distances of neighbours, and logit of the opacity: with these no less than 99.6 % is covered
-/// at the worst place of a hexagonal lattice.
+/// Standard deviations in mean distances of neighbours, of the discs and of the dome, and logit of the opacity: with these
+/// 98.4 and 99.9 % are covered at the worst place of a hexagonal lattice.
 const WIDTH: f32 = 0.7;
+const DOME_WIDTH: f32 = 0.9;
 const LOGIT: f32 = 3.0;
 /// Colours of one direction that differ more (standard deviation of a channel, sRGB) are of something near.
 const ALIKE: f32 = 0.05;
@@ -102,18 +103,18 @@ pub fn seen(targets: &[Target], extent: f32, most: usize) -> Option<Seen> {
         before = discs(fine);
     }
     let mut g = Gaussians::default();
-    let mut disc = |d: Vec3, color: [f32; 3], radius: f32, n: usize| {
+    let mut disc = |d: Vec3, color: [f32; 3], radius: f32, width: f32| {
         let q = Quat::from_rotation_arc(Vec3::Z, d);
-        let wide = WIDTH * spacing(n) * radius;
+        let wide = width * radius;
         g.positions.push(d * radius);
         g.log_scales.push(Vec3::new(wide, wide, 0.1 * wide).map(f32::ln));
         g.rotations.push([q.w, q.x, q.y, q.z]);
         g.logit_opacities.push(LOGIT);
         g.sh.push(flat(color));
     };
-    before.into_iter().for_each(|(d, c)| disc(d, c, radius, fine));
+    before.into_iter().for_each(|(d, c)| disc(d, c, radius, WIDTH * spacing(fine)));
     let colors: Vec<[f32; 3]> = behind.par_iter().map(|d| around(*d, &sure)).collect();
-    behind.into_iter().zip(colors).for_each(|(d, c)| disc(d, c, DOME * radius, 2 * dome));
+    behind.into_iter().zip(colors).for_each(|(d, c)| disc(d, c, DOME * radius, DOME_WIDTH * spacing(2 * dome)));
     Some(Seen { share: sure.len() as f32 / asked.max(1) as f32, gaussians: g })
 }
 
