@@ -115,8 +115,7 @@ pub fn block(bytes: &[u8], last: bool) -> Vec<u8> {
     let mut codes = [(0u32, 0u32); SYMBOLS];
     let mut code = 0;
     for length in 1..=LONGEST {
-        for (symbol, to) in codes.iter_mut().enumerate().filter(|(s, _)| lengths[*s] == length) {
-            debug_assert!(symbol < SYMBOLS);
+        for (to, _) in codes.iter_mut().zip(&lengths).filter(|(_, l)| **l == length) {
             *to = (reversed(code, length), length);
             code += 1;
         }

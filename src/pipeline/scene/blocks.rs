@@ -113,6 +113,7 @@ pub fn fit(
     clock.lap("coarse scene");
     let near = coarse.gaussians.len() - coarse.head.sky;
     let (cells, overlap) = cells::cells(&coarse.gaussians.positions[..near], blocks.count);
+    let grown: Vec<Cell> = cells.iter().map(|c| c.grown(overlap)).collect();
     let mut shares = None;
     let mut parts = Vec::new();
     for (i, cell) in cells.iter().enumerate().filter(|(i, _)| blocks.only.is_none_or(|only| only == *i)) {
@@ -126,7 +127,6 @@ pub fn fit(
                 part
             }
             None => {
-                let grown: Vec<Cell> = cells.iter().map(|c| c.grown(overlap)).collect();
                 let shares = shares.get_or_insert_with(|| cells::shares(&coarse.gaussians, &run.cameras, &grown));
                 let usable: Vec<bool> = (0..run.cameras.len()).map(|k| !run.is_held_out(k)).collect();
                 let chosen = cells::photos_of(i, shares, &usable);

@@ -56,7 +56,6 @@ impl Cost {
 
     /// For a person, beforehand.
     pub fn words(&self, cap: usize) -> String {
-        let gib = |bytes: u64| format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30));
         let mut out = format!(
             "{} photos of {:.1} megapixels together take {}, {cap} Gaussians up to {}",
             self.photos,
@@ -72,6 +71,11 @@ impl Cost {
         }
         out
     }
+}
+
+/// For a person.
+pub fn gib(bytes: u64) -> String {
+    format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30))
 }
 
 #[cfg(test)]

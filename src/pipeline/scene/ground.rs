@@ -171,6 +171,9 @@ fn filled(heights: &[Option<f32>], side: usize) -> Vec<f32> {
     if side == 1 {
         return vec![heights[0].unwrap_or(0.0)];
     }
+    if heights.iter().all(Option::is_some) {
+        return heights.iter().flatten().copied().collect();
+    }
     let half = side.div_ceil(2);
     let coarse: Vec<Option<f32>> = (0..half * half)
         .map(|i| {
@@ -181,9 +184,6 @@ fn filled(heights: &[Option<f32>], side: usize) -> Vec<f32> {
             (!known.is_empty()).then(|| known.iter().sum::<f32>() / known.len() as f32)
         })
         .collect();
-    if heights.iter().all(Option::is_some) {
-        return heights.iter().flatten().copied().collect();
-    }
     let below = filled(&coarse, half);
     heights.iter().enumerate().map(|(i, h)| h.unwrap_or(below[i / side / 2 * half + i % side / 2])).collect()
 }

@@ -2,7 +2,7 @@
 //! steps and the blocks. What is assumed is named here; nothing is asked of a machine but its speed.
 
 use super::blocks::coarse_side;
-use super::cost::Cost;
+use super::cost::{Cost, gib};
 use crate::Result;
 use crate::progress::Silent;
 use crate::splat::render::Shown;
@@ -175,10 +175,6 @@ fn ground(side: u32, count: usize) -> (Gaussians, Target) {
         name: "a probe".into(),
     };
     (g, target)
-}
-
-fn gib(bytes: u64) -> String {
-    format!("{:.1} GiB", bytes as f64 / f64::from(1 << 30))
 }
 
 fn time(seconds: f64) -> String {
