@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::checkpoint::Checkpoint;
 use super::disk::Disk;
+use super::invocation::Invocation;
 use super::keys::SigningKey;
 use super::ledger::Ledger;
 use super::ledger_check::CLOSE_EVENT;
@@ -25,13 +26,15 @@ pub fn close(
     ledger: Ledger,
     folder: &Path,
     key: &SigningKey,
+    by: Invocation,
     time: TimeReading,
     random: [u8; 10],
 ) -> Result<Checkpoint> {
     if std::fs::symlink_metadata(folder).is_ok() {
         return Err(Error::usage(folder.display().to_string()).expected("a new folder").found("something that exists"));
     }
-    let draft = RecordDraft::event(CLOSE_EVENT, "orb audit ledger archive", time, random, Marking::UNCLASSIFIED.into());
+    let draft =
+        RecordDraft::event(CLOSE_EVENT, "orb audit ledger archive", by, time, random, Marking::UNCLASSIFIED.into());
     let seal = |next| record::seal(&draft, Vec::new(), Outcome::Success, None, next, key);
     let checkpoint = ledger.close_into(folder, key, seal)?;
     Disk::default().write_new(&folder.join(CHECKPOINT), &checkpoint.sign(key)?.to_line())?;
@@ -51,7 +54,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let open = || Ledger::open(&DataFolder::at(dir.path().join("data"))).unwrap();
         let folder = dir.path().join("2025");
-        let close = || close(open(), &folder, shared_key(), draft().time, [1; 10]);
+        let close = || close(open(), &folder, shared_key(), draft().invocation, draft().time, [1; 10]);
         assert_eq!(close().unwrap_err().kind, Kind::Incomplete);
         let append = || {
             let seal = |next| record::seal(&draft(), Vec::new(), Outcome::Success, None, next, shared_key());

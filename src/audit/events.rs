@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::data_folder::DataFolder;
+use super::invocation::Invocation;
 use super::keys::{self, Named, SigningKey};
 use super::ledger::Ledger;
 use super::marking::Marking;
@@ -104,6 +105,7 @@ pub struct Happened<'a> {
     pub kind: &'static str,
     /// The verb: `orb audit keygen`.
     pub command: &'a str,
+    pub by: Invocation,
     pub outcome: Outcome,
     pub code: Option<&'a str>,
     /// What it happened to: fingerprints, digests, verdicts. No path: folders tell about people, not about data.
@@ -114,10 +116,11 @@ pub struct Happened<'a> {
 }
 
 impl<'a> Happened<'a> {
-    pub fn new(kind: &'static str, command: &'a str) -> Happened<'a> {
+    pub fn new(kind: &'static str, command: &'a str, by: Invocation) -> Happened<'a> {
         Happened {
             kind,
             command,
+            by,
             outcome: Outcome::Success,
             code: None,
             params: BTreeMap::new(),
@@ -145,22 +148,22 @@ pub fn log(data: &DataFolder, happened: &Happened<'_>) -> Result<()> {
     if !happened.begins_a_ledger && !keys::has_own(data) {
         return Ok(());
     }
-    append(data, &own_key(data, happened.command)?, happened)
+    append(data, &own_key(data, happened.command, &happened.by)?, happened)
 }
 
 /// The user's own key. That it is made is an event.
-fn own_key(data: &DataFolder, command: &str) -> Result<SigningKey> {
+fn own_key(data: &DataFolder, command: &str, by: &Invocation) -> Result<SigningKey> {
     let (key, created) = keys::own(data)?;
     if created {
-        append(data, &key, &about_key("key.generate", command, &key))?;
+        append(data, &key, &about_key("key.generate", command, by.clone(), &key))?;
     }
     Ok(key)
 }
 
 /// The verdict of a verification, as [`log`]; that it cannot be recorded changes nothing about it.
-pub fn log_verdict(data: &DataFolder, command: &str, report: &Report) {
+pub fn log_verdict(data: &DataFolder, command: &str, by: Invocation, report: &Report) {
     let found = report.findings.iter().find(|f| f.verdict == report.verdict).map(|f| f.code);
-    let mut happened = Happened { begins_a_ledger: false, ..Happened::new("verify.run", command) };
+    let mut happened = Happened { begins_a_ledger: false, ..Happened::new("verify.run", command, by) };
     if report.exit_code != 0 {
         happened = happened.failed(found);
     }
@@ -182,25 +185,26 @@ pub fn log_verdict(data: &DataFolder, command: &str, report: &Report) {
 pub fn key_for_run(
     data: &DataFolder,
     command: &str,
+    by: &Invocation,
     marking: &Marking,
     named: Option<Named<'_>>,
 ) -> Result<keys::KeyForRun> {
     let run = keys::for_marking(data, marking, named)?;
     if run.created {
-        append(data, &run.key, &about_key("key.generate", command, &run.key))?;
+        append(data, &run.key, &about_key("key.generate", command, by.clone(), &run.key))?;
         return Ok(run);
     }
     // Who signs with a named key has events too, and their key is their own.
-    let own = own_key(data, command)?;
+    let own = own_key(data, command, by)?;
     if run.newly_trusted {
-        append(data, &own, &about_key("key.trust", command, &run.key))?;
+        append(data, &own, &about_key("key.trust", command, by.clone(), &run.key))?;
     }
     Ok(run)
 }
 
 /// An event that a key is the subject of, or both of a hybrid signer.
-pub fn about_key<'a>(kind: &'static str, command: &'a str, key: &SigningKey) -> Happened<'a> {
-    let happened = Happened::new(kind, command).to("key_fingerprint", key.public().fingerprint());
+pub fn about_key<'a>(kind: &'static str, command: &'a str, by: Invocation, key: &SigningKey) -> Happened<'a> {
+    let happened = Happened::new(kind, command, by).to("key_fingerprint", key.public().fingerprint());
     match key.partner() {
         None => happened,
         Some(other) => happened.to("second_key_fingerprint", other.public().fingerprint()),
@@ -214,7 +218,7 @@ fn append(data: &DataFolder, key: &SigningKey, happened: &Happened<'_>) -> Resul
     let draft = RecordDraft {
         params: happened.params.clone(),
         models: happened.models.clone(),
-        ..RecordDraft::event(kind, command, time::now()?, random, Marking::UNCLASSIFIED.into())
+        ..RecordDraft::event(kind, command, happened.by.clone(), time::now()?, random, Marking::UNCLASSIFIED.into())
     };
     Ledger::open(data)?
         .append(key, |next| record::seal(&draft, Vec::new(), outcome, code, next, key), |_, _| Ok(()))
@@ -255,6 +259,7 @@ fn about(params: &BTreeMap<String, Param>, models: &[Model]) -> String {
 mod tests {
     use super::*;
     use crate::audit::keys::tests::shared_key;
+    use crate::audit::record::tests::draft;
 
     #[test]
     fn failures_and_their_codes() {
@@ -272,10 +277,11 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let data = DataFolder::at(dir.path().join("data"));
         // Who only looks leaves no trace.
-        let looked = Happened { begins_a_ledger: false, ..Happened::new("verify.run", "orb audit verify") };
+        let looked =
+            Happened { begins_a_ledger: false, ..Happened::new("verify.run", "orb audit verify", draft().invocation) };
         log(&data, &looked).unwrap();
         assert!(!data.path().exists());
-        log(&data, &Happened::new("run.failed", "orb geo").failed(Some("CANCELLED"))).unwrap();
+        log(&data, &Happened::new("run.failed", "orb geo", draft().invocation).failed(Some("CANCELLED"))).unwrap();
         log(&data, &looked.to("trail_hash", "ab\n")).unwrap();
         let ledger = Ledger::open(&data).unwrap();
         let text = list(ledger.path()).unwrap();
@@ -295,8 +301,8 @@ mod tests {
         let path = dir.path().join("unit.pem");
         shared_key().save(&path, None).unwrap();
         let named = || Some(Named::from(&path));
-        key_for_run(&data, "orb geo", &Marking::SECRET, named()).unwrap();
-        key_for_run(&data, "orb geo", &Marking::SECRET, named()).unwrap();
+        key_for_run(&data, "orb geo", &draft().invocation, &Marking::SECRET, named()).unwrap();
+        key_for_run(&data, "orb geo", &draft().invocation, &Marking::SECRET, named()).unwrap();
         let chain = Ledger::open(&data).unwrap().read_chain().unwrap();
         let kinds: Vec<&str> = chain.iter().map(|s| s.predicate.event.kind.as_str()).collect();
         assert_eq!(kinds, ["key.generate", "key.trust"]);

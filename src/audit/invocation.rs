@@ -7,7 +7,6 @@ use sha2::{Digest as _, Sha256};
 
 use super::canonical::sha256_hex;
 use super::record::printable;
-use crate::cli::argv;
 
 /// One call of the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -23,7 +22,7 @@ pub struct Invocation {
     pub cwd_rel: Option<String>,
     /// The same in every record of one call: a UUID version 8 (RFC 9562 §5.8) made from the machine's start and the process.
     pub request_id: Option<String>,
-    /// The command line, as [`argv::redacted`] gives it.
+    /// The command line, without what may be secret or tell about people.
     pub argv_redacted: Option<Vec<String>>,
     /// The machine's name, only where `ORB_RECORD_HOSTNAME` is `1`.
     pub hostname: Option<String>,
@@ -36,8 +35,8 @@ pub struct Invocation {
 }
 
 impl Invocation {
-    /// Of this process.
-    pub fn of_this_process() -> Invocation {
+    /// Of this process, whose command line is said by `argv_redacted`: only who reads it knows what in it may be secret.
+    pub fn of_this_process(argv_redacted: Option<Vec<String>>) -> Invocation {
         let var = |name: &str| std::env::var(name).ok();
         let real = |path: &Path| fs::canonicalize(path).ok();
         let stated = |name: &str| stated(name, var);
@@ -49,7 +48,7 @@ impl Invocation {
             container: container(Path::new("/"), var),
             cwd_rel: cwd.zip(home).and_then(|(cwd, home)| below(&cwd, &home)),
             request_id: request_id(Path::new("/proc"), std::process::id()),
-            argv_redacted: argv::redacted(std::env::args_os()),
+            argv_redacted,
             hostname: hostname(Path::new("/proc"), var),
             display: stated("ORB_OPERATOR_NAME"),
             role: stated("ORB_OPERATOR_ROLE"),
@@ -224,7 +223,7 @@ mod tests {
 
     #[test]
     fn this_process() {
-        let (first, second) = (Invocation::of_this_process(), Invocation::of_this_process());
+        let (first, second) = (Invocation::of_this_process(None), Invocation::of_this_process(None));
         assert_eq!(first, second);
         assert!(first.request_id.is_some() || !cfg!(target_os = "linux"));
         assert!(first.cwd_rel.is_none_or(|path| !path.starts_with('/')));

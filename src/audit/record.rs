@@ -37,13 +37,20 @@ pub struct RecordDraft {
 }
 
 impl RecordDraft {
-    /// Of something that happened without inputs and outputs, in this process.
-    pub fn event(kind: &str, command: &str, time: TimeReading, random: [u8; 10], handling: Handling) -> RecordDraft {
+    /// Of something that happened without inputs and outputs.
+    pub fn event(
+        kind: &str,
+        command: &str,
+        invocation: Invocation,
+        time: TimeReading,
+        random: [u8; 10],
+        handling: Handling,
+    ) -> RecordDraft {
         RecordDraft {
             event_type: kind.into(),
             time,
             event_random: random,
-            invocation: Invocation::of_this_process(),
+            invocation,
             command: command.into(),
             inputs: Vec::new(),
             models: Vec::new(),

@@ -8,10 +8,16 @@ use clap::parser::ValueSource;
 use clap::{Arg, CommandFactory};
 
 use super::Cli;
+use crate::audit::invocation::Invocation;
 use crate::audit::record::printable;
 
 /// In place of what is left out.
 const LEFT_OUT: &str = "[...]";
+
+/// Who called this process, how, and where it runs, for records.
+pub fn caller() -> Invocation {
+    Invocation::of_this_process(redacted(std::env::args_os()))
+}
 
 /// Options by their long names, in the order in which they were given. A value stands there if it is a number or one of a list
 /// that Orb has; of everything else only that it was given: what can be said in free words may be a secret, a name or a place, and

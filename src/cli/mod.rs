@@ -185,7 +185,7 @@ fn record_failure(command: &str, error: &crate::Error) {
     let Some((kind, code)) = events::of_failure(error) else { return };
     // A verification that could not even begin leaves no more traces than one that could.
     let begins_a_ledger = !command.starts_with("orb audit");
-    let happened = Happened { begins_a_ledger, ..Happened::new(kind, command).failed(Some(&code)) };
+    let happened = Happened { begins_a_ledger, ..Happened::new(kind, command, argv::caller()).failed(Some(&code)) };
     let recorded =
         DataFolder::from_environment(|name| std::env::var_os(name)).and_then(|data| events::log(&data, &happened));
     if let Err(e) = recorded {

@@ -119,7 +119,7 @@ fn run_import(args: &ImportArgs, data: &DataFolder, registry: &Registry) -> Resu
         ..Import::default()
     };
     let manifest = import(registry, &request, &*engine, &mut say)?;
-    let imported = Happened::new("model.import", "orb models import");
+    let imported = Happened::new("model.import", "orb models import", super::argv::caller());
     events::log(data, &Happened { models: vec![recorded(&manifest)], ..imported })?;
     Ok(described(&manifest, registry))
 }
@@ -128,7 +128,7 @@ fn remove(args: &RemoveArgs, data: &DataFolder, registry: &Registry) -> Result<S
     // A damaged manifest does not keep a network from being removed.
     let models = registry.get(&args.id).iter().map(recorded).collect();
     let folder = registry.remove(&args.id)?;
-    let removed = Happened::new("model.remove", "orb models remove").to("network", &args.id);
+    let removed = Happened::new("model.remove", "orb models remove", super::argv::caller()).to("network", &args.id);
     events::log(data, &Happened { models, ..removed })?;
     Ok(format!("removed      {}\n", folder.display()))
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use super::argv;
 use super::key::KeyArgs;
 use super::marking::MarkingArgs;
 use crate::audit::marking::handling::Handling;
@@ -54,7 +55,7 @@ impl SealedRun {
     pub fn begin(command: &'static str, folder: &Path, handling: Handling, args: &PublishArgs) -> Result<SealedRun> {
         let ntp_server = args.key.ntp_server.clone();
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
-        let key = events::key_for_run(&data, command, &handling.marking, args.key.named())?;
+        let key = events::key_for_run(&data, command, &argv::caller(), &handling.marking, args.key.named())?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");
         }
@@ -90,7 +91,7 @@ impl SealedRun {
             inputs,
             models,
             params,
-            ..RecordDraft::event(event_type, self.command, time, self.event_random, self.handling)
+            ..RecordDraft::event(event_type, self.command, argv::caller(), time, self.event_random, self.handling)
         };
         let mut ledger = Ledger::open(&self.data)?;
         self.publication.seal(&draft, &self.key, &mut ledger)

@@ -232,7 +232,7 @@ fn account(verb: &AccountVerb) -> Result<u8> {
     let (Add { data, .. } | List { data, .. } | Disable { data, .. } | Enable { data, .. } | Token { data, .. }) = verb;
     let data = data.folder()?;
     let database = Database::open(&Place::open(&data)?.database())?;
-    let recorder = Recorder::new(data, "orb serve account");
+    let recorder = Recorder::new(data, "orb serve account", super::argv::caller());
     let now = time::now()?.unix_ms;
     let by = By { database: &database, recorder: &recorder, actor: None, now };
     let text = match verb {
@@ -296,7 +296,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         place,
         sessions: Sessions::default(),
         live: Live::default(),
-        recorder: Recorder::new(data, "orb serve"),
+        recorder: Recorder::new(data, "orb serve", super::argv::caller()),
         viewers: Viewers::new(args.device),
         limits: Limits {
             queue: args.max_queue,

@@ -10,6 +10,8 @@ use super::lock;
 use crate::Result;
 use crate::audit::DataFolder;
 use crate::audit::events::{self, Happened};
+use crate::audit::invocation::Invocation;
+use crate::audit::report::Report;
 use crate::audit::statement::Param;
 
 /// Milliseconds for which refusals of one kind are counted.
@@ -20,6 +22,7 @@ const MOST_KINDS: usize = 256;
 pub struct Recorder {
     data: DataFolder,
     command: &'static str,
+    by: Invocation,
     refused: Mutex<BTreeMap<(String, &'static str), Refused>>,
 }
 
@@ -29,8 +32,8 @@ struct Refused {
 }
 
 impl Recorder {
-    pub fn new(data: DataFolder, command: &'static str) -> Recorder {
-        Recorder { data, command, refused: Mutex::default() }
+    pub fn new(data: DataFolder, command: &'static str, by: Invocation) -> Recorder {
+        Recorder { data, command, by, refused: Mutex::default() }
     }
 
     pub fn data(&self) -> &DataFolder {
@@ -42,11 +45,16 @@ impl Recorder {
     /// # Errors
     /// As [`events::log`].
     pub fn act(&self, kind: &'static str, about: &[(&str, &str)]) -> Result<()> {
-        let mut happened = Happened::new(kind, self.command);
+        let mut happened = Happened::new(kind, self.command, self.by.clone());
         for (name, value) in about {
             happened = happened.to(name, *value);
         }
         events::log(&self.data, &happened)
+    }
+
+    /// The verdict of a verification.
+    pub fn verdict(&self, report: &Report) {
+        events::log_verdict(&self.data, self.command, self.by.clone(), report);
     }
 
     /// A refusal: recorded with the next [`Recorder::flush`].
@@ -66,7 +74,9 @@ impl Recorder {
             keys.into_iter().filter_map(|k| refused.remove(&k).map(|r| (k, r.times))).collect()
         };
         for ((account, code), times) in due {
-            let mut happened = Happened::new("access.refused", self.command).failed(Some(code)).to("account", account);
+            let mut happened = Happened::new("access.refused", self.command, self.by.clone())
+                .failed(Some(code))
+                .to("account", account);
             happened.params.insert("times".into(), Param::Int(times));
             if let Err(e) = events::log(&self.data, &happened) {
                 eprintln!("orb: warning: a refusal was not recorded: {e}");

@@ -322,7 +322,8 @@ fn a_kill_at_every_operation() {
 fn an_archive_to_be_killed() {
     let Some((dir, key, disk)) = to_be_killed() else { return };
     let ledger = ledger(&dir).with_disk(disk);
-    crate::audit::archive::close(ledger, &dir.join("archive"), &key, later(1).time, [9; 10]).unwrap();
+    crate::audit::archive::close(ledger, &dir.join("archive"), &key, later(1).invocation, later(1).time, [9; 10])
+        .unwrap();
 }
 
 /// SIGKILL at every operation of closing a ledger: it stands whole at the old place or at the new one, and a next run goes on.

@@ -10,6 +10,7 @@ use crate::audit::interchange::{civium, oscal, slsa};
 use crate::audit::report::Verdict;
 use crate::audit::verify::{Request, read_record, verify};
 use crate::audit::{DataFolder, TrustStore, events, time};
+use crate::cli::argv;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -42,7 +43,7 @@ pub fn run(args: &ExportArgs, data: &DataFolder) -> Result<Outcome> {
     let trust = &TrustStore::load(data, &args.trust_key)?;
     let now_ms = time::now()?.unix_ms;
     let report = verify(&Request::new(&args.folder, trust, now_ms))?;
-    events::log_verdict(data, "orb audit export", &report);
+    events::log_verdict(data, "orb audit export", argv::caller(), &report);
     if report.verdict != Verdict::Pass {
         return Ok(Outcome { text: report.to_text(), exit_code: report.exit_code });
     }

@@ -10,6 +10,7 @@ use crate::audit::events::{self, Happened};
 use crate::audit::keys::KeySource;
 use crate::audit::ledger_check::{self, LedgerRequest};
 use crate::audit::{DataFolder, Ledger, Marking, Policy, SigningKey, TrustStore, archive, time};
+use crate::cli::argv;
 use crate::cli::key::KeyArgs;
 use crate::{Error, Result};
 
@@ -121,7 +122,7 @@ fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
             ..Policy::default()
         },
     })?;
-    events::log_verdict(data, "orb audit ledger verify", &report);
+    events::log_verdict(data, "orb audit ledger verify", argv::caller(), &report);
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     Ok(Outcome { text, exit_code: report.exit_code })
 }
@@ -136,7 +137,7 @@ fn checkpoint(args: &CheckpointArgs, data: &DataFolder) -> Result<Outcome> {
     })?;
     let line = made.sign(&key)?.to_line();
     Disk::default().write_new(&args.output, &line)?;
-    let signed = Happened::new("ledger.checkpoint", "orb audit ledger checkpoint");
+    let signed = Happened::new("ledger.checkpoint", "orb audit ledger checkpoint", argv::caller());
     events::log(
         data,
         &signed
@@ -162,7 +163,7 @@ fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
     let mut random = [0; 10];
     getrandom::fill(&mut random).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
     let ledger = Ledger::at(ledger_path(None, data));
-    let closed = archive::close(ledger, &args.output, &key, time::now()?, random)?;
+    let closed = archive::close(ledger, &args.output, &key, argv::caller(), time::now()?, random)?;
     let text = format!(
         "{}\n  ledger {}, closed after {} records\n  The next record begins a new ledger.\n",
         args.output.display(),
@@ -175,7 +176,7 @@ fn archive_ledger(args: &ArchiveArgs, data: &DataFolder) -> Result<Outcome> {
 fn reconcile(args: &ReconcileArgs, data: &DataFolder) -> Result<Outcome> {
     let ledger = ledger_path(args.ledger.as_deref(), data);
     let report = ledger_check::reconcile(&ledger, &args.folders, &TrustStore::load(data, &[])?)?;
-    events::log_verdict(data, "orb audit ledger reconcile", &report);
+    events::log_verdict(data, "orb audit ledger reconcile", argv::caller(), &report);
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
     Ok(Outcome { text, exit_code: report.exit_code })
 }
@@ -188,7 +189,7 @@ pub(super) fn ledger_path(named: Option<&Path>, data: &DataFolder) -> PathBuf {
 fn key(command: &str, args: &KeyArgs, data: &DataFolder) -> Result<SigningKey> {
     match args.named() {
         Some(named) => SigningKey::load(named, KeySource::NamedFile),
-        None => Ok(events::key_for_run(data, command, &Marking::UNCLASSIFIED, None)?.key),
+        None => Ok(events::key_for_run(data, command, &argv::caller(), &Marking::UNCLASSIFIED, None)?.key),
     }
 }
 

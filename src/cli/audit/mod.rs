@@ -18,6 +18,7 @@ use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
 use crate::audit::{DataFolder, Policy, TrustStore, time};
 use crate::audit::{by_hand, disk};
+use crate::cli::argv;
 use crate::cli::key::PassphraseSource;
 use crate::{Error, Result};
 
@@ -197,7 +198,7 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         ..Request::new(&args.folder, &trust, time::now()?.unix_ms)
     })?;
     let text = if args.json { format!("{}\n", report.to_json()) } else { report.to_text() };
-    events::log_verdict(data, "orb audit verify", &report);
+    events::log_verdict(data, "orb audit verify", argv::caller(), &report);
     Ok(Outcome { text, exit_code: report.exit_code })
 }
 
@@ -261,7 +262,7 @@ pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {
     let passphrase = args.passphrase.as_ref().map(Passphrase::read).transpose()?;
     let passphrase = passphrase.as_ref().map(|p| p.as_str());
     let key = keys::keygen(&args.output, args.profile, args.bits.unwrap_or_default(), passphrase)?;
-    events::log(data, &events::about_key("key.generate", "orb audit keygen", &key))?;
+    events::log(data, &events::about_key("key.generate", "orb audit keygen", argv::caller(), &key))?;
     let mut text = format!("{}\n", args.output.display());
     for key in key.all() {
         let (public, algorithm) = (key.public(), key.algorithm().name());

@@ -11,6 +11,7 @@ use crate::audit::evidence::{Evidence, to_html, to_markdown};
 use crate::audit::ledger_check::{LedgerRequest, verify_ledger};
 use crate::audit::verify::{Request, read_record, verify};
 use crate::audit::{DataFolder, Ledger, Policy, TrustStore, events, time};
+use crate::cli::argv;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -80,7 +81,7 @@ pub fn run(args: &ReportArgs, data: &DataFolder) -> Result<Outcome> {
         Form::Json => format!("{}\n", report.to_json()),
     };
     Disk::default().write_new(&args.output, text.as_bytes())?;
-    events::log_verdict(data, "orb audit report", &report);
+    events::log_verdict(data, "orb audit report", argv::caller(), &report);
     Ok(Outcome { text: format!("{}\n", args.output.display()), exit_code: report.exit_code })
 }
 

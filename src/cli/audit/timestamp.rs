@@ -11,6 +11,7 @@ use crate::audit::events::{self, Happened};
 use crate::audit::publication::{RECORD, RECORD_STAMP};
 use crate::audit::timestamp::{self, Refused};
 use crate::audit::{DataFolder, TrustStore, time, verify};
+use crate::cli::argv;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -91,7 +92,7 @@ fn import(args: &ImportArgs, data: &DataFolder) -> Result<Outcome> {
     let path = args.folder.join(RECORD_STAMP);
     Disk::default().write_new(&path, &token)?;
     let utc = time::format_utc(stamp.not_after_ms);
-    let imported = Happened::new("record.timestamp", "orb audit timestamp import");
+    let imported = Happened::new("record.timestamp", "orb audit timestamp import", argv::caller());
     let trail_hash = statement.predicate.trail_hash.unwrap_or_default();
     events::log(data, &imported.to("trail_hash", trail_hash).to("not_after", &utc).to("authority", &stamp.authority))?;
     Ok(Outcome { text: format!("{}\n  not after {utc}, says {}\n", path.display(), stamp.authority), exit_code: 0 })

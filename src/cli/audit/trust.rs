@@ -9,6 +9,7 @@ use super::Outcome;
 use crate::audit::events::{self, Happened};
 use crate::audit::trust::{self, Added, Entry, Reason, Revocation, SCHEMA};
 use crate::audit::{DataFolder, TrustStore, time};
+use crate::cli::argv;
 use crate::{Error, Result};
 
 #[derive(Debug, Args)]
@@ -102,7 +103,7 @@ fn add(args: &AddArgs, data: &DataFolder) -> Result<Outcome> {
         with: None,
     };
     let added = trust::add_file(data, file, &entry)?;
-    let happened = Happened::new("key.trust", "orb audit key trust add");
+    let happened = Happened::new("key.trust", "orb audit key trust add", argv::caller());
     let happened = match &added {
         Added::Key(fingerprint) => happened.to("key_fingerprint", fingerprint),
         Added::Pair(first, second) => happened.to("key_fingerprint", first).to("second_key_fingerprint", second),
@@ -179,7 +180,7 @@ fn revoke(args: &RevokeArgs, data: &DataFolder) -> Result<Outcome> {
         return Err(Error::usage("--from").expected("a time like 2026-11-21T08:00:00.000Z").found(format!("{from:?}")));
     }
     // Said before it takes effect: this user's own key may be the one.
-    let revoked = Happened::new("key.revoke", "orb audit key trust revoke");
+    let revoked = Happened::new("key.revoke", "orb audit key trust revoke", argv::caller());
     let reason = format!("{:?}", args.reason).to_lowercase();
     let revoked = revoked.to("key_fingerprint", &args.fingerprint).to("from", &from).to("reason", reason);
     events::log(data, &revoked)?;

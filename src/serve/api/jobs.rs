@@ -21,7 +21,7 @@ use utoipa::{IntoParams, ToSchema};
 
 use super::{Answer, Caller, Refused, asked, blocking};
 use crate::audit::time::format_utc;
-use crate::audit::{TrustStore, events, verify};
+use crate::audit::{TrustStore, verify};
 use crate::serve::Server;
 use crate::serve::database::{Job, Selection, State as JobState};
 use crate::serve::live::Progress;
@@ -293,7 +293,7 @@ pub async fn verify(State(server): State<Arc<Server>>, caller: Caller, Path(id):
         let trust = TrustStore::load(data, &[])?;
         let request = verify::Request { inputs: &inputs, ..verify::Request::new(&folder, &trust, server.now()) };
         let report = verify::verify(&request)?;
-        events::log_verdict(data, "orb serve", &report);
+        server.recorder.verdict(&report);
         Ok(report.to_json())
     })
     .await?;

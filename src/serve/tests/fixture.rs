@@ -83,7 +83,7 @@ impl Fixture {
             place,
             sessions: Default::default(),
             live: Default::default(),
-            recorder: recorder::Recorder::new(data, "orb serve"),
+            recorder: recorder::Recorder::new(data, "orb serve", crate::cli::argv::caller()),
             viewers: Viewers::new(Device::Cpu),
             limits,
             ceiling: Marking::parse("SECRET").unwrap(),
