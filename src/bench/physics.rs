@@ -206,15 +206,15 @@ mod simulated {
 mod tests {
     use super::*;
     use crate::bench::surfaces::tests::block;
-    use glam::Mat3;
 
     fn standing(size: Vec3) -> Surface {
         let b = block(size);
         Surface { positions: b.positions.iter().map(|p| *p + Vec3::Z * size.z / 2.0).collect(), ..b }
     }
 
+    #[cfg(feature = "physics")]
     fn turned(s: &Surface, degrees: f32) -> Surface {
-        let turn = Mat3::from_rotation_x(degrees.to_radians());
+        let turn = glam::Mat3::from_rotation_x(degrees.to_radians());
         let positions: Vec<Vec3> = s.positions.iter().map(|p| turn * *p).collect();
         let low = positions.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
         Surface { positions: positions.iter().map(|p| *p - low * Vec3::Z).collect(), triangles: s.triangles.clone() }
