@@ -342,7 +342,7 @@ mod tests {
             seed: 3,
             device: Device::Cpu,
             stages: false,
-            kept: CheckpointArgs { checkpoint_every: 2, ..Default::default() },
+            kept: CheckpointArgs { checkpoint_every: Some(2), ..Default::default() },
             json: true,
         };
         let one = |args: &Train| -> Value { serde_json::from_str(&run(args, &Silent, &mut |_| {}).unwrap()).unwrap() };

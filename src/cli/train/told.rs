@@ -141,9 +141,10 @@ impl Told<'_> {
         line(
             "Gaussians",
             format!(
-                "{}{sky}, at most {} allowed; after {} steps ({}) on {}",
+                "{}{sky}, at most {} allowed{}; after {} steps ({}) on {}",
                 done.gaussians.len(),
                 self.options.max_gaussians,
+                if self.args.large.blocks.is_some() { " in a block" } else { "" },
                 r.iterations,
                 strategy(self.args),
                 r.device

@@ -100,11 +100,13 @@ pub fn fit(
     let run = Run { source, fitter, options, blocks, to_unit, extent, cameras, progress };
     let mut made = Made::default();
     let mut seconds = splat::train::Seconds::default();
+    let mut peak_bytes = 0;
     let mut count = |ran: Option<Report>| match ran {
         None => made.found += 1,
         Some(r) => {
             made.trained += 1;
-            seconds.train += r.seconds.train;
+            seconds = seconds.plus(&r.seconds);
+            peak_bytes = peak_bytes.max(r.peak_bytes);
         }
     };
     tell(format!("the whole scene, coarsely: photos of {} pixels", coarse_side(options.longest_side, blocks.count)));
@@ -159,6 +161,7 @@ pub fn fit(
         gaussians_before: coarse.head.begun,
         gaussians_after: gaussians.len(),
         seconds,
+        peak_bytes,
         device: fitter.name(),
         ..Report::default()
     };
@@ -216,7 +219,7 @@ impl Run<'_> {
     fn kept(&self, part: &Path) -> Result<(Kept, PathBuf)> {
         let file = part.with_file_name("run.ckpt");
         let from = if file.exists() { Some(Saved::read(&file)?) } else { None };
-        Ok((Kept { file: Some(file.clone()), every: self.options.kept.every.max(1), from }, file))
+        Ok((Kept { file: Some(file.clone()), every: self.options.kept.every, from }, file))
     }
 
     /// Some photos of the set as a set of its own.

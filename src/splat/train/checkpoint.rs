@@ -57,12 +57,43 @@ impl Checkpoint {
     }
 }
 
+/// When a run is written to its file, besides its end and when the user stops it. What comes out does not depend on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Every {
+    Iterations(usize),
+    /// About so many: the next part's length is guessed from the last one's speed.
+    Seconds(f64),
+}
+
+impl Default for Every {
+    fn default() -> Every {
+        Every::Seconds(60.0)
+    }
+}
+
+/// Iterations of the first part, by which the speed is found out; and how many times longer the next part may be.
+const FIRST: usize = 100;
+const LONGER: usize = 10;
+
+impl Every {
+    /// Up to which iteration the next part goes, after one of `last` iterations in `seconds`.
+    pub(super) fn until(self, from: usize, last: Option<(usize, f64)>) -> usize {
+        match (self, last) {
+            (Every::Iterations(n), _) => (from / n.max(1) + 1) * n.max(1),
+            (Every::Seconds(_), None) => from + FIRST,
+            (Every::Seconds(goal), Some((iterations, seconds))) => {
+                let fit = iterations as f64 * goal / seconds.max(1e-6);
+                from + (fit as usize).clamp(1, LONGER * iterations.max(1))
+            }
+        }
+    }
+}
+
 /// How a run is kept in a file, and what it goes on from.
 #[derive(Clone, Debug, Default)]
 pub struct Kept {
-    /// Written every so many iterations, at the end, and when the user stops the run.
     pub file: Option<PathBuf>,
-    pub every: usize,
+    pub every: Every,
     pub from: Option<Saved>,
 }
 
@@ -308,6 +339,19 @@ mod tests {
         c.exposures[0].step(&[[0.1; 4]; 3], 0.25, 0.0);
         c.poses[0] = Pose::from_words(&std::array::from_fn(|k| if k % 4 == 3 { 0.0 } else { k as f32 }));
         (Saved::new(&run, 70, &c), targets, options)
+    }
+
+    #[test]
+    fn parts_take_the_time_that_is_asked_for() {
+        assert_eq!(Every::Iterations(20).until(45, None), 60);
+        assert_eq!(Every::Iterations(0).until(45, Some((1, 1.0))), 46);
+        let minute = Every::Seconds(60.0);
+        assert_eq!(minute.until(0, None), FIRST);
+        // Ten times as many at most; then by the speed; one at least.
+        assert_eq!(minute.until(100, Some((100, 0.1))), 1100);
+        assert_eq!(minute.until(100, Some((100, 120.0))), 150);
+        assert_eq!(minute.until(100, Some((100, 1e9))), 101);
+        assert_eq!(minute.until(100, Some((0, 0.0))), 101);
     }
 
     #[test]

@@ -18,7 +18,7 @@ mod update;
 
 use std::time::Instant;
 
-pub use checkpoint::{Checkpoint, Kept, Saved};
+pub use checkpoint::{Checkpoint, Every, Kept, Saved};
 pub use quality::Quality;
 pub use schedule::{Behind, Density, Options, Rates, Region, Strategy};
 
@@ -101,7 +101,7 @@ pub struct Seconds {
 }
 
 impl Seconds {
-    fn plus(&self, b: &Seconds) -> Seconds {
+    pub(crate) fn plus(&self, b: &Seconds) -> Seconds {
         Seconds {
             setup: self.setup + b.setup,
             train: self.train + b.train,
@@ -266,16 +266,19 @@ fn in_parts(
         _ => start,
     };
     let mut all = Advanced { checkpoint: at, stopped: None, seconds: Seconds::default(), peak_bytes: 0 };
+    let mut last = None;
     loop {
         let from = all.checkpoint.iteration;
         let until = match &kept.file {
-            Some(_) => (from / kept.every.max(1) + 1) * kept.every.max(1),
+            Some(_) => kept.every.until(from, last),
             None => options.iterations,
         };
+        let clock = Instant::now();
         let part = advance(engine, all.checkpoint, targets, options, until, progress)?;
         all.seconds = all.seconds.plus(&part.seconds);
         all.peak_bytes = all.peak_bytes.max(part.peak_bytes);
         (all.checkpoint, all.stopped) = (part.checkpoint, part.stopped);
+        last = Some((all.checkpoint.iteration - from, clock.elapsed().as_secs_f64()));
         if let (Some(file), Some(run)) = (&kept.file, &named) {
             Saved::new(run, options.iterations, &all.checkpoint).write(file)?;
         }

@@ -9,7 +9,7 @@ use crate::splat::render::tests::scene;
 use crate::splat::render::{Shown, render};
 use crate::splat::train::tests::disturbed;
 use crate::splat::train::{
-    Behind, Checkpoint, Density, Engine, Kept, Options, Saved, Target, advance, train, train_kept,
+    Behind, Checkpoint, Density, Engine, Every, Kept, Options, Saved, Target, advance, train, train_kept,
 };
 use crate::splat::{Camera, Gaussians};
 
@@ -162,7 +162,7 @@ fn a_run_stopped_by_the_user_goes_on_from_its_file() {
         let run = |kept: &Kept, progress: &dyn Progress| train_kept(engine, start.clone(), &targets, o, kept, progress);
         let whole = run(&Kept::default(), &Silent).unwrap();
         // Every third step is written; the user stops it twice, the second time after it was taken up.
-        let kept = Kept { file: Some(file.clone()), every: 3, from: None };
+        let kept = Kept { file: Some(file.clone()), every: Every::Iterations(3), from: None };
         let e = run(&kept, &StoppedAfter(10, 0.into())).unwrap_err();
         assert!(e.kind == crate::Kind::Cancelled && e.to_string().contains("--resume"), "{e}");
         let again = || Kept { from: Some(Saved::read(&file).unwrap()), ..kept.clone() };
