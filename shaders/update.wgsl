@@ -106,7 +106,7 @@ fn main(
                 }
                 core_moments[2u * stride + i].w = t;
                 let flat_ = now.more_rates.x;
-                let more = now.more_rates.y;
+                let more = select(now.more_rates.y, 0.0, still);
                 let v = g.color;
                 // Normals say nothing of colours.
                 for (var m = 0u; m < 4u && view.background.w == 0.0; m++) {

@@ -287,10 +287,11 @@ impl Options {
         LaneRates::new(r.position, r.opacity, r.rotation, r.scale, r.color, r.harmonics)
     }
 
-    /// Of those that keep their places and shapes.
+    /// Of those that keep their places and shapes: opacity and mean colour. The sky is seen from nearly one direction, so that
+    /// its harmonics would be learned from nothing and show themselves in photos that look elsewhere.
     pub(super) fn still_rates(&self, iteration: usize) -> LaneRates {
         let r = self.rates_at(iteration);
-        LaneRates::new(0.0, r.opacity, 0.0, 0.0, r.color, r.harmonics)
+        LaneRates::new(0.0, r.opacity, 0.0, 0.0, r.color, 0.0)
     }
 
     pub(super) fn rates_at(&self, iteration: usize) -> RatesNow {
