@@ -60,9 +60,7 @@ pub fn gaussians(
                 .found("none that sees any of it"));
         }
     }
-    // Evenly thinned, should they be more than the cap.
-    let step = points.len().div_ceil(room.max(1)).max(1);
-    let points: Vec<(Vec3, [f32; 3])> = points.into_iter().step_by(step).collect();
+    let points = thinned(&points, room);
     let n = points.len();
     let places: Vec<Vec3> = points.iter().map(|p| p.0).collect();
     let (opacity, share) = match options.strategy {
@@ -79,6 +77,12 @@ pub fn gaussians(
         positions: places,
     };
     Ok((g, if is_random { From::Random(n) } else { From::Points(n) }))
+}
+
+/// All of them, or `room` of them evenly.
+fn thinned<T: Copy>(all: &[T], room: usize) -> Vec<T> {
+    let n = all.len().min(room);
+    (0..n).map(|i| all[i * all.len() / n]).collect()
 }
 
 /// The same colour from everywhere.
@@ -198,6 +202,17 @@ impl Tree {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn too_many_points_become_as_many_as_there_is_room_for() {
+        let all: Vec<usize> = (0..12_040).collect();
+        assert_eq!(thinned(&all, 20_000), all);
+        let some = thinned(&all, 12_000);
+        assert_eq!(some.len(), 12_000);
+        // Evenly, each at most once, first and last parts alike.
+        assert!(some.windows(2).all(|w| (1..=2).contains(&(w[1] - w[0]))) && some[6000] == 6020);
+        assert!(thinned(&all, 0).is_empty());
+    }
 
     #[test]
     fn neighbours_are_those_that_looking_at_all_finds() {
