@@ -2,15 +2,23 @@
 
 use std::fmt::Write as _;
 
-use super::{Block, Document};
+use super::{Block, Document, picture, visible};
 
 const STYLE: &str = "\
-body{font:15px/1.45 system-ui,sans-serif;color:#111;background:#fff;max-width:75em;margin:0 auto;padding:3.2em 1.5em}\
-.banner{position:fixed;left:0;right:0;text-align:center;font-weight:700;letter-spacing:.06em;background:#111;color:#fff;\
-padding:.35em}.top{top:0}.bottom{bottom:0}h1{font-size:1.6em}h2{font-size:1.15em;border-bottom:1px solid #999;margin-top:2em}\
-table{border-collapse:collapse;width:100%;font-size:.88em}th,td{border:1px solid #bbb;padding:.3em .5em;text-align:left;\
-vertical-align:top;overflow-wrap:anywhere}td.code{overflow-wrap:normal;white-space:nowrap}th{background:#eee;white-space:nowrap}pre{background:#f4f4f4;padding:1em;font-size:.8em;white-space:pre-wrap;overflow-wrap:anywhere}\
-@media print{body{max-width:none}tr{break-inside:avoid}}";
+:root{color-scheme:light dark;--ink:#111;--paper:#fff;--line:#999;--head:#eee;--soft:#f4f4f4}\
+@media (prefers-color-scheme:dark){:root{--ink:#eee;--paper:#151515;--line:#777;--head:#2b2b2b;--soft:#202020}}\
+@media print{:root{color-scheme:light;--ink:#000;--paper:#fff;--line:#777;--head:#eee;--soft:#f4f4f4}}\
+body{font:15px/1.45 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:75em;margin:0 auto;padding:3.2em 1.5em}\
+.banner{position:fixed;left:0;right:0;text-align:center;font-weight:700;letter-spacing:.06em;background:var(--ink);\
+color:var(--paper);padding:.35em;z-index:1}.top{top:0}.bottom{bottom:0}h1{font-size:1.6em}\
+h2{font-size:1.15em;border-bottom:1px solid var(--line);margin-top:2em}\
+table{border-collapse:collapse;width:100%;font-size:.88em}th,td{border:1px solid var(--line);padding:.3em .5em;text-align:left;\
+vertical-align:top;overflow-wrap:anywhere}td.code{overflow-wrap:normal;white-space:nowrap}th{background:var(--head);white-space:nowrap}\
+pre{background:var(--soft);padding:1em;font-size:.8em;white-space:pre-wrap;overflow-wrap:anywhere}figcaption{font-size:.88em}\
+.wide{overflow-x:auto}td{min-width:4.5em}td.code{min-width:0}\
+@media print{body{max-width:none;padding:0}.page{display:table;table-layout:fixed;width:100%}main{display:table-row-group}\
+.banner{position:static;background:none;color:#000;padding:.2em}.top{display:table-header-group;break-inside:avoid}\
+.bottom{display:table-footer-group;break-inside:avoid}.wide{overflow:visible}tr,figure{break-inside:avoid}h2{break-after:avoid}}";
 
 pub(super) fn render(document: &Document) -> String {
     let banner = escaped(&document.banner);
@@ -19,7 +27,8 @@ pub(super) fn render(document: &Document) -> String {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}: {banner}</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<div class=\"banner top\">{banner}</div>\n<h1>{title}</h1>\n"
+         <style>{STYLE}{}</style>\n</head>\n<body>\n<div class=\"page\">\n<div class=\"banner top\">{banner}</div>\n<main>\n<h1>{title}</h1>\n",
+        picture::STYLE
     );
     for section in &document.sections {
         let _ = writeln!(out, "<h2>{}</h2>", escaped(section.title));
@@ -31,20 +40,21 @@ pub(super) fn render(document: &Document) -> String {
                 Block::Commands(text) => {
                     let _ = writeln!(out, "<pre>{}</pre>", escaped(text));
                 }
+                Block::Lineage(lineage) => out.push_str(&picture::render(lineage)),
                 Block::Table { head, rows } => table(&mut out, head, rows),
             }
         }
     }
-    let _ = write!(out, "<div class=\"banner bottom\">{banner}</div>\n</body>\n</html>\n");
+    let _ = write!(out, "</main>\n<div class=\"banner bottom\">{banner}</div>\n</div>\n</body>\n</html>\n");
     out
 }
 
 fn table(out: &mut String, head: &[&str], rows: &[Vec<String>]) {
-    out.push_str("<table>\n<tr>");
+    out.push_str("<div class=\"wide\"><table>\n<thead><tr>");
     for cell in head {
         let _ = write!(out, "<th>{}</th>", escaped(cell));
     }
-    out.push_str("</tr>\n");
+    out.push_str("</tr></thead>\n");
     for row in rows {
         out.push_str("<tr>");
         for cell in row {
@@ -53,14 +63,15 @@ fn table(out: &mut String, head: &[&str], rows: &[Vec<String>]) {
         }
         out.push_str("</tr>\n");
     }
-    out.push_str("</table>\n");
+    out.push_str("</table></div>\n");
 }
 
-/// A word that must not be broken: the code of a finding, a control's name.
+/// What must not be broken: the code of a finding, a number, a short word.
 fn is_code(cell: &str) -> bool {
-    cell.len() > 4 && cell.len() < 32 && cell.contains('_') && cell.bytes().all(|b| b.is_ascii_uppercase() || b == b'_')
+    let is_short = cell.len() < 20 && cell.bytes().all(|b| b.is_ascii_alphanumeric());
+    is_short || cell.len() < 32 && cell.bytes().all(|b| b.is_ascii_uppercase() || b == b'_')
 }
 
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+pub(super) fn escaped(text: &str) -> String {
+    visible(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

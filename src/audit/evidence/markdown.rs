@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Block, Document};
+use super::{Block, Document, visible};
 
 pub(super) fn render(document: &Document) -> String {
     let mut out = format!("**{}**\n\n# {}\n", document.banner, escaped(&document.title));
@@ -15,6 +15,15 @@ pub(super) fn render(document: &Document) -> String {
                 }
                 Block::Commands(text) => {
                     let _ = write!(out, "\n```\n{}```\n", text.replace("```", "` ` `"));
+                }
+                Block::Lineage(lineage) => {
+                    out.push('\n');
+                    for (what, lines) in lineage.words() {
+                        let _ = writeln!(out, "* {what}");
+                        for line in lines {
+                            let _ = writeln!(out, "  * {}", escaped(&line));
+                        }
+                    }
                 }
                 Block::Table { head, rows } => {
                     let _ = write!(out, "\n| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
@@ -33,7 +42,7 @@ pub(super) fn render(document: &Document) -> String {
 /// What Markdown would read as its own, and HTML that it would pass on.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in visible(text).chars() {
         match c {
             '<' => out.push_str("&lt;"),
             '&' => out.push_str("&amp;"),

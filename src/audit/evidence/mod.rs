@@ -1,9 +1,12 @@
 //! The report for a compliance officer: what was verified, what was found, which controls it is evidence for, what it
 //! does not show, and whose duty that is. The same records, trust and `as_of` give the same bytes.
 
+mod checks;
 mod controls;
 mod html;
+mod lineage;
 mod markdown;
+mod picture;
 
 use std::path::Path;
 
@@ -12,6 +15,7 @@ use super::report::{Finding, Report, Severity, Verdict};
 use super::statement::{Actor, Input, Model, Statement, Tool};
 use super::time::{self, Source, SyncStatus};
 use crate::Result;
+pub use checks::{to_junit, to_sarif};
 
 /// What a report is about.
 #[derive(Debug)]
@@ -44,6 +48,7 @@ enum Block {
     Text(String),
     Table { head: Vec<&'static str>, rows: Vec<Vec<String>> },
     Commands(String),
+    Lineage(Box<lineage::Lineage>),
 }
 
 /// One self-contained HTML page: no script, nothing fetched, banner at its top and bottom and on every printed page.
@@ -68,10 +73,12 @@ fn document(evidence: &Evidence<'_>) -> Result<Document> {
     let records = if report.marking.is_some() { evidence.records } else { &[] };
     let mut sections = vec![
         verdict(evidence),
+        // On the first page, as the rules for classified documents ask.
+        blocks(records),
         scope(evidence),
         findings(&report.findings),
         scenes(records),
-        blocks(records),
+        lineage::section(evidence, records),
         stated(records),
         command_line(records),
         inputs(records),
@@ -398,6 +405,31 @@ fn hashes(records: &[Statement]) -> Section {
         })
         .collect();
     table("Trail hashes", vec!["Record", "Event", "Trail hash", "Before it"], rows)
+}
+
+/// Characters that a page would obey and not show stand as their numbers: they can make a name read as another one.
+fn visible(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\n' => out.push(c),
+            // Directions (UAX 9), what has no width, tags, and what XML cannot hold.
+            '\u{61c}'
+            | '\u{200b}'..='\u{200f}'
+            | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}'
+            | '\u{feff}'
+            | '\u{fff0}'..='\u{fffb}'
+            | '\u{fffe}'
+            | '\u{ffff}'
+            | '\u{e0000}'..='\u{e007f}' => {
+                out.push_str(&format!("[U+{:04X}]", c as u32));
+            }
+            _ if c.is_control() => out.push(char::REPLACEMENT_CHARACTER),
+            _ => out.push(c),
+        }
+    }
+    out
 }
 
 /// A section of one table; of nothing when it would be empty.

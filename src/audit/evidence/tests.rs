@@ -1,3 +1,6 @@
+use quick_xml::Reader;
+use quick_xml::events::Event as Xml;
+
 use super::*;
 use crate::audit::TrustStore;
 use crate::audit::keys::tests::shared_key;
@@ -6,7 +9,7 @@ use crate::audit::verify::{Request, read_record, verify};
 
 const NOW_MS: u64 = 1_763_700_000_000;
 
-fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl FnOnce(&Evidence<'_>)) {
+pub(super) fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl FnOnce(&Evidence<'_>)) {
     let dir = tempfile::tempdir().unwrap();
     publish(dir.path());
     let folder = dir.path().join("out");
@@ -44,6 +47,10 @@ fn a_page_with_everything_and_nothing_from_elsewhere() {
             }
             let trail_hash = evidence.report.trail_hash.as_ref().unwrap();
             assert!(html.contains(trail_hash));
+            // Browsers repeat these on every printed page only where they must not be broken.
+            for group in ["header", "footer"] {
+                assert!(html.contains(&format!("{{display:table-{group}-group;break-inside:avoid}}")), "{group}");
+            }
             assert!(!html.contains("<script") && !html.contains("http://") && !html.contains("src="));
             assert_eq!(html, to_html(evidence).unwrap());
             for claim in ["certified", "compliant", "authorised by"] {
@@ -150,4 +157,210 @@ fn words_for_each_case() {
     {
         assert!(classified.contains(words), "{words} in {classified}");
     }
+}
+
+/// What the record of a test says after a change, as HTML and as Markdown. The verification is that of the record before it.
+fn changed(change: impl Fn(&mut Statement)) -> (String, String) {
+    let mut texts = Default::default();
+    with_report(
+        true,
+        |_| {},
+        |evidence| {
+            let mut records = evidence.records.to_vec();
+            records.iter_mut().for_each(&change);
+            let evidence = Evidence { records: &records, ..*evidence };
+            texts = (to_html(&evidence).unwrap(), to_markdown(&evidence).unwrap());
+        },
+    );
+    texts
+}
+
+/// The picture alone, and every text in it; it must be XML, and nothing but shapes and words.
+fn picture(html: &str) -> (String, Vec<String>) {
+    let start = html.find("<figure class=\"lineage\">\n<div>").unwrap() + "<figure class=\"lineage\">\n<div>".len();
+    let svg = &html[start..start + html[start..].find("</div>").unwrap()];
+    let mut reader = Reader::from_str(svg);
+    reader.config_mut().check_end_names = true;
+    let (mut depth, mut inside, mut words) = (0, false, Vec::<String>::new());
+    loop {
+        let name = match reader.read_event().unwrap() {
+            Xml::Eof => break,
+            Xml::Start(tag) => {
+                depth += 1;
+                inside = tag.name().as_ref() != "svg";
+                if inside {
+                    words.push(String::new());
+                }
+                assert!(tag.attributes().all(|a| a.is_ok()));
+                tag.name().as_ref().to_owned()
+            }
+            Xml::Empty(tag) => tag.name().as_ref().to_owned(),
+            Xml::End(_) => {
+                (depth, inside) = (depth - 1, false);
+                continue;
+            }
+            Xml::Text(text) => {
+                if inside {
+                    words.last_mut().unwrap().push_str(&text);
+                }
+                continue;
+            }
+            Xml::GeneralRef(entity) => {
+                let c = match &*entity {
+                    "lt" => '<',
+                    "gt" => '>',
+                    "amp" => '&',
+                    "quot" => '"',
+                    other => panic!("entity {other}"),
+                };
+                words.last_mut().unwrap().push(c);
+                continue;
+            }
+            other => panic!("{other:?}"),
+        };
+        assert!(["svg", "title", "desc", "text", "rect", "path"].contains(&name.as_str()), "{name}");
+    }
+    assert_eq!(depth, 0);
+    (svg.to_owned(), words)
+}
+
+/// Every input, network and output of a record stands in its picture, in the words beside it, and in Markdown.
+#[test]
+fn the_lineage_shows_everything() {
+    let (html, markdown) = changed(|_| {});
+    let (svg, words) = picture(&html);
+    let said = words.join("\n");
+    for word in [
+        "van.jpg",
+        "photo, 5 bytes",
+        "not compared here",
+        "orb geo",
+        "scene.generate, success",
+        "scene 1",
+        "ran on rten",
+        "not used: colmap",
+        "orb-marking.json",
+        "scene.ply",
+        "van.cdb/Tiles/N34/points.dbf",
+        "signed RS256 by key",
+        "operator jane (os-user)",
+    ] {
+        assert!(said.contains(word), "{word} in {said}");
+        assert!(markdown.contains(&word.replace('_', "\\_")), "{word} in {markdown}");
+    }
+    // Top, bottom and in words: a picture is marked also when it is cut out of its page.
+    assert_eq!(words.iter().filter(|w| *w == "UNCLASSIFIED").count(), 2);
+    assert!(words.iter().any(|w| w.starts_with("UNCLASSIFIED. Inputs: van.jpg; ")), "{said}");
+    assert!(svg.contains("role=\"img\" aria-labelledby=\"lineage-title lineage-words\""));
+    assert!(!svg.contains("href") && !svg.contains("url(") && !svg.contains("style="));
+    assert!(markdown.contains("## Lineage\n\n* Inputs\n  * van.jpg; photo, 5 bytes; "), "{markdown}");
+}
+
+/// No box lies over another or leaves the picture, however many files and however long their names.
+#[test]
+fn nothing_in_the_picture_overlaps() {
+    let long = "a name of words without an end ".repeat(8);
+    let (html, _) = changed(|s| {
+        let (input, model, output) =
+            (s.predicate.inputs[0].clone(), s.predicate.models[0].clone(), s.subject[0].clone());
+        for i in 0..9 {
+            let name = format!("{i} {long}.jpg");
+            s.predicate.inputs.push(Input { name, marking: Some("UNCLASSIFIED".into()), ..input.clone() });
+            s.predicate.models.push(Model { id: format!("net{i}{}", "n".repeat(i * 9)), ..model.clone() });
+        }
+        for i in 0..60 {
+            let mut output = output.clone();
+            (output.name, output.annotations.role) = (format!("{i}{}", "写".repeat(i)), format!("role {}", i % 20));
+            s.subject.push(output);
+        }
+    });
+    let (svg, _) = picture(&html);
+    let number = |tag: &str, name: &str| -> f64 {
+        let (_, rest) = tag.split_once(&format!(" {name}=\"")).unwrap();
+        rest.split('"').next().unwrap().parse().unwrap()
+    };
+    let size: Vec<f64> = svg
+        .split("viewBox=\"0 0 ")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap()
+        .split(' ')
+        .map(|n| n.parse().unwrap())
+        .collect();
+    // Nested pictures are the boxes; what they hold is clipped to them.
+    let boxes: Vec<[f64; 4]> = svg
+        .split("<svg x=")
+        .skip(1)
+        .map(|tag| {
+            let tag = format!(" x={tag}");
+            let [x, y, width, height] = ["x", "y", "width", "height"].map(|name| number(&tag, name));
+            [x, y, x + width, y + height]
+        })
+        .collect();
+    assert!(boxes.len() > 40, "{}", boxes.len());
+    for (i, a) in boxes.iter().enumerate() {
+        assert!(a[0] >= 0.0 && a[1] >= 0.0 && a[2] <= size[0] && a[3] <= size[1], "{a:?} in {size:?}");
+        for b in &boxes[..i] {
+            assert!(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1], "{a:?} over {b:?}");
+        }
+    }
+    // Lines of text end before the box does: 0.6 of their height for each cell.
+    for line in svg.split("<text x=\"10\" ").skip(1) {
+        let words = line.split('>').nth(1).unwrap().split('<').next().unwrap();
+        let cells: usize = words.chars().map(|c| if c.is_ascii() || c == '…' { 1 } else { 2 }).sum();
+        let high = if line.contains("class=\"n\"") { 13.0 } else { 11.5 };
+        assert!(10.0 + 0.6 * high * cells as f64 <= 296.0, "{words}");
+    }
+}
+
+#[test]
+fn hostile_names_in_the_picture_stay_names() {
+    let name = "</title></svg><script>alert(1)</script>\u{202e}gpj.\u{200b}&amp;\"'`|.jpg";
+    let (html, markdown) = changed(|s| {
+        s.predicate.inputs[0].name = name.into();
+        s.predicate.models[0].id = name.into();
+        s.subject[1].name = name.into();
+        s.predicate.actor.operator_id = name.into();
+    });
+    let (_, words) = picture(&html);
+    assert!(words.contains(&name.replace('\u{202e}', "[U+202E]").replace('\u{200b}', "[U+200B]")), "{words:?}");
+    for text in [&html, &markdown] {
+        assert!(!text.contains("<script") && !text.contains(['\u{202e}', '\u{200b}']), "{text}");
+    }
+    assert!(html.matches("</svg>").count() == html.matches("<svg ").count());
+}
+
+/// What does not match is said in the picture too.
+#[test]
+fn a_flaw_is_drawn() {
+    with_report(
+        true,
+        |folder| std::fs::write(folder.join("scene.ply"), "changed").unwrap(),
+        |evidence| {
+            let html = to_html(evidence).unwrap();
+            let (svg, words) = picture(&html);
+            assert!(words.iter().any(|w| w == "found: OUTPUT_DIGEST") && svg.matches("class=\"flaw\"").count() == 1);
+        },
+    );
+}
+
+/// Of several records no picture: which took what another had made.
+#[test]
+fn the_lineage_of_a_ledger_is_by_digest() {
+    with_report(
+        true,
+        |_| {},
+        |evidence| {
+            let mut records = vec![evidence.records[0].clone(), evidence.records[0].clone()];
+            let apart = to_markdown(&Evidence { records: &records, ..*evidence }).unwrap();
+            assert!(apart.contains("No record here took what another one"), "{apart}");
+            records[1].predicate.chain.seq = 5;
+            records[1].predicate.inputs[0].sha256 = records[0].subject[1].digest.sha256.clone();
+            let html = to_html(&Evidence { records: &records, ..*evidence }).unwrap();
+            assert!(!html.contains("<svg") && html.contains("<th>Made by record</th>"), "{html}");
+            assert!(html.contains("5 (scene.generate)"), "{html}");
+        },
+    );
 }
