@@ -8,9 +8,30 @@ use sha2::{Digest as _, Sha256};
 use super::canonical::sha256_hex;
 use super::record::printable;
 
+/// By which way something was asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interface {
+    /// A command line.
+    #[default]
+    Cli,
+    /// A request to a server of this program. What it starts for one has a command line of its own.
+    Server,
+}
+
+impl Interface {
+    /// As records have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Interface::Cli => "cli",
+            Interface::Server => "server",
+        }
+    }
+}
+
 /// One call of the program.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Invocation {
+    pub interface: Interface,
     /// The operating system's name of the user; see [`operator_from`].
     pub operator_id: String,
     /// The installation's secret name (machine-id(5)). Records hold [`host_id`] of it, never itself.
@@ -43,6 +64,7 @@ impl Invocation {
         let home = var("HOME").or_else(|| var("USERPROFILE")).and_then(|home| real(home.as_ref()));
         let cwd = std::env::current_dir().ok().and_then(|cwd| real(&cwd));
         Invocation {
+            interface: Interface::Cli,
             operator_id: operator_from(var),
             machine_id: machine_id(Path::new("/")),
             container: container(Path::new("/"), var),

@@ -179,7 +179,7 @@ pub fn compose(
             },
             source: EventSource {
                 command: draft.command.clone(),
-                interface: "cli".into(),
+                interface: by.interface.name().into(),
                 argv_redacted: by.argv_redacted.clone(),
                 cwd_rel: by.cwd_rel.clone(),
                 request_id: by.request_id.clone(),

@@ -10,7 +10,7 @@ use super::lock;
 use crate::Result;
 use crate::audit::DataFolder;
 use crate::audit::events::{self, Happened};
-use crate::audit::invocation::Invocation;
+use crate::audit::invocation::{Interface, Invocation};
 use crate::audit::report::Report;
 use crate::audit::statement::Param;
 
@@ -33,7 +33,7 @@ struct Refused {
 
 impl Recorder {
     pub fn new(data: DataFolder, command: &'static str, by: Invocation) -> Recorder {
-        Recorder { data, command, by, refused: Mutex::default() }
+        Recorder { data, command, by: Invocation { interface: Interface::Server, ..by }, refused: Mutex::default() }
     }
 
     pub fn data(&self) -> &DataFolder {
@@ -82,5 +82,25 @@ impl Recorder {
                 eprintln!("orb: warning: a refusal was not recorded: {e}");
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::Ledger;
+
+    #[test]
+    fn records_tell_a_server_from_a_command_line() {
+        let dir = tempfile::tempdir().unwrap();
+        let data = DataFolder::at(dir.path());
+        events::log(&data, &Happened::new("serve.start", "orb serve", Invocation::default())).unwrap();
+        Recorder::new(data.clone(), "orb serve", Invocation::default())
+            .act("account.add", &[("account", "jane")])
+            .unwrap();
+        let chain = Ledger::open(&data).unwrap().read_chain().unwrap();
+        let ways: Vec<(&str, &str)> =
+            chain.iter().map(|s| (s.predicate.event.kind.as_str(), s.predicate.source.interface.as_str())).collect();
+        assert_eq!(ways, [("key.generate", "cli"), ("serve.start", "cli"), ("account.add", "server")]);
     }
 }

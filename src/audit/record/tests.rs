@@ -25,6 +25,7 @@ pub(crate) fn draft() -> RecordDraft {
         },
         event_random: [0xcd; 10],
         invocation: Invocation {
+            interface: Default::default(),
             operator_id: "jane".into(),
             machine_id: Some(MACHINE_ID.into()),
             container: Some("podman".into()),
