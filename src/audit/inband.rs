@@ -15,6 +15,7 @@
 //! | SPZ | the comment of the gzip header, or an extension record (version 4) |
 //! | GeoTIFF | the image's description |
 //! | JPEG 2000 | `CLASSIFICATION: …` in an XML box |
+//! | HTML | the banners at its top and bottom, as reports have them |
 //! | `orb-marking.json` | its `banner` |
 //! | JPEG, TIFF (read only) | `CLASSIFICATION: …` in comments, EXIF and XMP; SecurityClassification (TIFF/EP, 0x9212) |
 //!
@@ -60,6 +61,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
         "usdz" => (lines_in(orb_formats::usdz::marking(bytes).unwrap_or_default().as_bytes()), true),
         "spz" => (lines_in(orb_formats::spz::comment(bytes).as_bytes()), true),
         "jp2" => (jp2(bytes), false),
+        "html" => (html(bytes), false),
         "json" if file == "tileset.json" => (lines_in(bytes), true),
         "json" if file == super::publication::MARKING_SIDECAR => (sidecar(bytes), true),
         _ => return Carried::NoCarrier,
@@ -129,6 +131,14 @@ fn sidecar(bytes: &[u8]) -> Vec<String> {
         },
         _ => Vec::new(),
     }
+}
+
+/// What stands between the tags of a banner. Other words cannot look like one: in them `<` is escaped.
+fn html(bytes: &[u8]) -> Vec<String> {
+    let text = String::from_utf8_lossy(bytes);
+    let banners =
+        text.split("<div class=\"banner ").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</div>"));
+    banners.map(|(banner, _)| banner.to_owned()).collect()
 }
 
 /// The XML boxes before the picture.

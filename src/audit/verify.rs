@@ -463,4 +463,4 @@ fn check_program(path: Option<&Path>, statement: &Statement, found: &mut Vec<Fin
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(crate) mod tests;

@@ -8,6 +8,7 @@ use crate::audit::marking::Level;
 use crate::audit::marking::Profile;
 use crate::audit::marking::authority::{Authority, Designation};
 use crate::audit::marking::handling::{Handling, Request};
+use crate::audit::statement::MarkingBlock;
 use crate::{Error, Result};
 
 /// How the product is marked.
@@ -92,6 +93,23 @@ impl MarkingArgs {
         Ok(handling)
     }
 
+    /// As [`MarkingArgs::decide`], for a product about one that is marked like `of`: where nothing is said, its rules and its
+    /// blocks are taken over, dated `utc`.
+    ///
+    /// # Errors
+    /// As [`MarkingArgs::decide`].
+    pub fn decide_like(&self, of: &MarkingBlock, inputs: &[Option<Marking>], utc: &str) -> Result<Handling> {
+        let MarkingArgs { classification, raise_reason, classified_by, derived_from, declassify_on, .. } = self;
+        let said = [classification, raise_reason, classified_by, derived_from, declassify_on, &self.cui_controlled_by];
+        if said.iter().any(|option| option.is_some()) || !self.source.is_empty() {
+            return self.decide(inputs, utc);
+        }
+        let authority = of.authority.clone().map(|a| Authority { date_of_origin: day(utc), ..a });
+        let request =
+            Request { profile: of.profile, authority, designation: of.cui_block.clone(), ..Request::default() };
+        request.decide(inputs.iter().map(Option::as_ref))
+    }
+
     fn authority(&self, utc: &str) -> Result<Option<Authority>> {
         match (&self.classified_by, &self.derived_from, &self.declassify_on) {
             (None, None, None) if self.source.is_empty() => Ok(None),
@@ -99,7 +117,7 @@ impl MarkingArgs {
                 classified_by: by.clone(),
                 derived_from: from.clone(),
                 declassify_on: on.clone(),
-                date_of_origin: utc.get(..10).unwrap_or_default().replace('-', ""),
+                date_of_origin: day(utc),
                 sources: self.source.clone(),
             })),
             _ => Err(Error::policy("--classified-by, --derived-from, --declassify-on")
@@ -117,6 +135,11 @@ impl MarkingArgs {
             poc: self.cui_poc.clone()?,
         })
     }
+}
+
+/// `YYYYMMDD`.
+fn day(utc: &str) -> String {
+    utc.get(..10).unwrap_or_default().replace('-', "")
 }
 
 /// What a file that goes into a product is marked, by what stands inside it.

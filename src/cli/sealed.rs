@@ -53,8 +53,22 @@ impl SealedRun {
     /// # Errors
     /// As [`events::key_for_run`] and [`Publication::begin`].
     pub fn begin(command: &'static str, folder: &Path, handling: Handling, args: &PublishArgs) -> Result<SealedRun> {
-        let ntp_server = args.key.ntp_server.clone();
         let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+        SealedRun::begin_in(data, command, folder, handling, args)
+    }
+
+    /// As [`SealedRun::begin`], with the user's data folder.
+    ///
+    /// # Errors
+    /// As [`SealedRun::begin`].
+    pub fn begin_in(
+        data: DataFolder,
+        command: &'static str,
+        folder: &Path,
+        handling: Handling,
+        args: &PublishArgs,
+    ) -> Result<SealedRun> {
+        let ntp_server = args.key.ntp_server.clone();
         let key = events::key_for_run(&data, command, &argv::caller(), &handling.marking, args.key.named())?;
         if let Some(warning) = &key.warning {
             eprintln!("orb: warning: {warning}");

@@ -43,7 +43,7 @@ pub enum AuditVerb {
     /// Verify, checkpoint, archive and reconcile the ledger of all records
     Ledger(ledger::LedgerArgs),
     /// Write what a verification found, for a compliance officer
-    Report(report::ReportArgs),
+    Report(Box<report::ReportArgs>),
     /// Write a verified record for another system: OSCAL, SLSA, Civium
     Export(export::ExportArgs),
     /// Print the JSON Schema of a record
