@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Ground, SELECTOR, grid, imagery_grid, place_in_parent, pyramid, side};
+use super::{Known, SELECTOR, grid, imagery_grid, place_in_parent, pyramid, side};
 use crate::cdb::geocell::Tile;
 use crate::cdb::names::{self, IMAGERY};
 use crate::cdb::texture;
@@ -12,13 +12,13 @@ use crate::{File, Image, Result, jp2};
 const UNKNOWN: [u8; 3] = [128; 3];
 
 /// The tiles of a level and of all above it.
-pub fn tiles(ground: &mut Ground, finest: &BTreeSet<Tile>) -> Result<Vec<File>> {
+pub fn tiles(mut colors: Option<Known<[u8; 3]>>, finest: &BTreeSet<Tile>, marking: &str) -> Result<Vec<File>> {
     let order = pyramid(finest);
     let mut images: BTreeMap<Tile, Image> = BTreeMap::new();
     for &tile in order.iter().rev() {
         let n = side(tile.lod);
         let mut image = Image { width: n, height: n, channels: 3, pixels: UNKNOWN.repeat((n * n) as usize) };
-        if let Some(known) = &mut ground.colors {
+        if let Some(known) = &mut colors {
             let grid = imagery_grid(tile);
             for (i, pixel) in image.pixels.chunks_exact_mut(3).enumerate() {
                 let (latitude, longitude) = grid::at(&grid, i % n as usize, i / n as usize);
@@ -37,7 +37,7 @@ pub fn tiles(ground: &mut Ground, finest: &BTreeSet<Tile>) -> Result<Vec<File>> 
             paste(&half, tile, coarse);
         }
     }
-    let text = if ground.marking.is_empty() { String::new() } else { format!("{}\n", ground.marking) };
+    let text = if marking.is_empty() { String::new() } else { format!("{marking}\n") };
     let written = images.into_iter().map(|(tile, image)| {
         let bytes = jp2::write(&image, Some(&imagery_grid(tile)), &text)?;
         Ok(File { path: names::path(tile, IMAGERY, SELECTOR, "jp2"), bytes, media_type: "image/jp2" })

@@ -1,4 +1,4 @@
-//! The ground under a model: terrain and imagery tiles, flat where the model stands.
+//! The ground under a model: terrain and imagery tiles, flat where the model stands. Or a patch of ground that was measured.
 //!
 //! Source: OGC CDB 1.x Volume 1, "Tiled raster datasets": elevation (dataset 001) is sampled at posts on the tile's west
 //! and south edges (Requirements 85, 86), imagery (004) at the centres of its pixels (Requirement 87); a tile has
@@ -12,6 +12,7 @@
 mod extremes;
 mod grid;
 mod imagery;
+mod patch;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -22,11 +23,10 @@ use crate::geotiff::{self, Samples};
 use crate::{Error, File, Result};
 pub use extremes::{HIGHEST, LOWEST};
 pub use grid::{elevation_grid, imagery_grid, side};
+pub use patch::{Patch, add_patch, level_of, tiles_within};
 
 /// Primary terrain elevation, and yearly visible imagery.
 pub const SELECTOR: (u16, u16) = (1, 1);
-/// Finest level of ground: posts every 2.7 cm.
-const FINEST: i8 = 12;
 /// Posts across the flat part's radius, at least.
 const POSTS: f64 = 4.0;
 /// Where the ground is as it was again, in radii of the flat part.
@@ -75,10 +75,32 @@ pub fn add_ground(store: &dyn Store, mut ground: Ground) -> Result<AddedGround> 
     if !(0.01..=20_000.0).contains(&ground.radius) {
         return refuse(format!("a flat part of {} m; expected 1 cm to 20 km", ground.radius));
     }
-    let lod = finest(ground.radius);
+    let lod = level_of(ground.radius / POSTS);
     let tiles = touched(&ground, lod)?;
     let mut notes = Vec::new();
-    let mut files = elevation(store, &mut ground, &tiles, lod, &mut notes)?;
+    let (place, radius) = ((ground.latitude, ground.longitude, ground.height), ground.radius);
+    let mut shape = |latitude: f64, longitude: f64, there: f64| flattened(place, radius, latitude, longitude, there);
+    let mut terrain = Terrain {
+        tiles: &tiles,
+        level: ground.height,
+        known: ground.terrain.take(),
+        shape: &mut shape,
+        marking: ground.marking,
+    };
+    let mut files = elevation(store, &mut terrain, &mut notes)?;
+    files.extend(imagery(store, &tiles, ground.colors.take(), ground.marking, &mut notes)?);
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(AddedGround { files, lod, notes })
+}
+
+/// The tiles of a level and all above it; none where the store has imagery.
+fn imagery(
+    store: &dyn Store,
+    tiles: &BTreeSet<Tile>,
+    colors: Option<Known<[u8; 3]>>,
+    marking: &str,
+    notes: &mut Vec<String>,
+) -> Result<Vec<File>> {
     let coarsest = |tile: Tile| Tile { lod: *LODS.start(), up: 0, right: 0, ..tile };
     let mut held = None;
     for tile in tiles.iter().map(|t| coarsest(*t)).collect::<BTreeSet<_>>() {
@@ -88,17 +110,12 @@ pub fn add_ground(store: &dyn Store, mut ground: Ground) -> Result<AddedGround> 
         }
     }
     match held {
-        Some(path) => notes.push(format!("The store has imagery here ({path}): it is left as it is.")),
-        None => files.extend(imagery::tiles(&mut ground, &tiles)?),
+        Some(path) => {
+            notes.push(format!("The store has imagery here ({path}): it is left as it is."));
+            Ok(Vec::new())
+        }
+        None => imagery::tiles(colors, tiles, marking),
     }
-    files.sort_by(|a, b| a.path.cmp(&b.path));
-    Ok(AddedGround { files, lod, notes })
-}
-
-/// The first level with enough posts across the flat part's radius.
-fn finest(radius: f64) -> i8 {
-    let spacing = |lod: i8| DEGREE / 1024.0 / 2f64.powi(lod.into());
-    (0..FINEST).find(|&lod| spacing(lod) * POSTS <= radius).unwrap_or(FINEST)
 }
 
 /// The tiles of a level that the changed ground reaches into.
@@ -128,14 +145,21 @@ fn pyramid(finest: &BTreeSet<Tile>) -> Vec<Tile> {
     all
 }
 
-fn elevation(
-    store: &dyn Store,
-    ground: &mut Ground,
-    finest: &BTreeSet<Tile>,
-    lod: i8,
-    notes: &mut Vec<String>,
-) -> Result<Vec<File>> {
-    let order = pyramid(finest);
+/// What terrain is made of.
+struct Terrain<'a, 'k, 's> {
+    /// Of the finest level.
+    tiles: &'a BTreeSet<Tile>,
+    /// Height of what is not known otherwise.
+    level: f64,
+    /// Wins over what the store holds.
+    known: Option<Known<'k, f64>>,
+    /// Latitude, longitude, the height there → the height in the finest level.
+    shape: &'s mut dyn FnMut(f64, f64, f64) -> f64,
+    marking: &'a str,
+}
+
+fn elevation(store: &dyn Store, terrain: &mut Terrain, notes: &mut Vec<String>) -> Result<Vec<File>> {
+    let order = pyramid(terrain.tiles);
     let mut rasters: BTreeMap<Tile, Vec<f32>> = BTreeMap::new();
     let mut held = false;
     for &tile in &order {
@@ -146,10 +170,10 @@ fn elevation(
         let mut heights = match (stored, parent) {
             (Some(heights), _) => heights,
             (None, Some(parent)) => finer(parent, tile),
-            (None, None) => vec![ground.height as f32; side * side],
+            (None, None) => vec![terrain.level as f32; side * side],
         };
-        if let Some(known) = &mut ground.terrain {
-            let grid = elevation_grid(tile);
+        let grid = elevation_grid(tile);
+        if let Some(known) = &mut terrain.known {
             for (i, height) in heights.iter_mut().enumerate() {
                 let (latitude, longitude) = grid::at(&grid, i % side, i / side);
                 if let Some(h) = known(latitude, longitude) {
@@ -157,15 +181,18 @@ fn elevation(
                 }
             }
         }
-        if tile.lod == lod {
-            flatten(ground, tile, &mut heights);
+        if terrain.tiles.contains(&tile) {
+            for (i, height) in heights.iter_mut().enumerate() {
+                let (latitude, longitude) = grid::at(&grid, i % side, i / side);
+                *height = (terrain.shape)(latitude, longitude, f64::from(*height)) as f32;
+            }
         }
         rasters.insert(tile, heights);
     }
-    if !held && ground.terrain.is_none() {
+    if !held && terrain.known.is_none() {
         notes.push(format!(
-            "No terrain is known around the model: its geocell is level, {:.2} m above the ellipsoid (invented).",
-            ground.height
+            "No terrain is known around it: its geocell is level, {:.2} m above the ellipsoid (invented).",
+            terrain.level
         ));
     }
     // From the finest up, so that coarse posts are the fine ones at the same place.
@@ -176,31 +203,27 @@ fn elevation(
             coarser(&fine, tile, coarse);
         }
     }
-    let (mut files, without) = extremes::tiles(store, &rasters, ground.marking)?;
+    let (mut files, without) = extremes::tiles(store, &rasters, terrain.marking)?;
     if let Some(path) = without {
         notes.push(format!("The store's terrain has no lowest and highest values ({path}): none are added."));
     }
     for (tile, heights) in rasters {
         let side = side(tile.lod);
-        let bytes = geotiff::write(side, side, &heights, &elevation_grid(tile), ground.marking)?;
+        let bytes = geotiff::write(side, side, &heights, &elevation_grid(tile), terrain.marking)?;
         let path = names::path(tile, ELEVATION, SELECTOR, "tif");
         files.push(File { path, bytes, media_type: "image/tiff; application=geotiff" });
     }
     Ok(files)
 }
 
-/// Level with the model about it, and smoothly back to what was there.
-fn flatten(ground: &Ground, tile: Tile, heights: &mut [f32]) {
-    let (side, grid) = (side(tile.lod) as usize, elevation_grid(tile));
-    let metres_east = DEGREE * ground.latitude.to_radians().cos();
-    for (i, height) in heights.iter_mut().enumerate() {
-        let (latitude, longitude) = grid::at(&grid, i % side, i / side);
-        let east = (longitude - ground.longitude + 540.0).rem_euclid(360.0) - 180.0;
-        let distance = (east * metres_east).hypot((latitude - ground.latitude) * DEGREE);
-        let t = ((distance / ground.radius - 1.0) / (BLEND - 1.0)).clamp(0.0, 1.0);
-        let share = t * t * (3.0 - 2.0 * t);
-        *height = (ground.height + (f64::from(*height) - ground.height) * share) as f32;
-    }
+/// Level about a place, and smoothly back to what was there.
+fn flattened(place: (f64, f64, f64), radius: f64, latitude: f64, longitude: f64, there: f64) -> f64 {
+    let east = (longitude - place.1 + 540.0).rem_euclid(360.0) - 180.0;
+    let metres_east = DEGREE * place.0.to_radians().cos();
+    let distance = (east * metres_east).hypot((latitude - place.0) * DEGREE);
+    let t = ((distance / radius - 1.0) / (BLEND - 1.0)).clamp(0.0, 1.0);
+    let share = t * t * (3.0 - 2.0 * t);
+    place.2 + (there - place.2) * share
 }
 
 /// Where a tile's south-west post lies in its parent: column from the west, row from the south.

@@ -202,10 +202,8 @@ fn finer_tiles_without_data_come_from_coarser_ones() {
 fn imagery_holds_the_colours_and_their_means() {
     let mut colors =
         |a: f64, b: f64| (a > 34.5523).then_some(if b > -118.4712 { [250, 10, 20] } else { [10, 200, 30] });
-    let mut ground = ground();
-    ground.colors = Some(&mut colors);
     let tiles: BTreeSet<Tile> = [Tile::containing(PLACE.0, PLACE.1, 4).unwrap()].into();
-    let files = imagery::tiles(&mut ground, &tiles).unwrap();
+    let files = imagery::tiles(Some(&mut colors), &tiles, ground().marking).unwrap();
     assert_eq!(files.len(), 15);
     assert!(files.iter().all(|f| names::parse(&f.path).is_some()));
 }
