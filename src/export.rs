@@ -7,6 +7,8 @@ mod model;
 mod scene;
 mod sheet;
 mod splat_tree;
+mod standing;
+mod terrain;
 
 use glam::{Mat3, Vec3};
 use image::RgbImage;
@@ -25,6 +27,8 @@ pub use model::{glb, tiles3d, usdz};
 pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
 pub use sheet::scene_png;
 pub use splat_tree::{TILE as TILE_OF_SPLATS, splat_tree};
+pub use standing::standing;
+pub use terrain::{OnEarth, Patch, add_terrain, levels, pixel_of};
 
 /// One level of detail in the subject frame, metres.
 #[derive(Clone, Debug)]

@@ -3,7 +3,10 @@
 mod sets;
 
 use std::path::Path;
+use std::process::Command;
 
+use orb_formats::cdb::geocell::Tile;
+use orb_formats::cdb::names;
 use serde_json::Value;
 use sets::{Bench, json};
 
@@ -68,6 +71,64 @@ fn a_folder_of_photos_becomes_a_scene_at_its_place_on_the_earth() {
     b.good(&["audit", "verify", "out"]);
 }
 
+/// Value of a raster at a latitude and longitude, as GDAL finds it; `None` where GDAL is not installed.
+fn gdal_value(file: &Path, latitude: f64, longitude: f64) -> Option<Vec<f64>> {
+    let place = [longitude.to_string(), latitude.to_string()];
+    let run = Command::new("gdallocationinfo").args(["-valonly", "-wgs84"]).arg(file).args(place).output();
+    let Ok(done) = run else {
+        assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none(), "cannot run: gdallocationinfo is not installed");
+        eprintln!("skipped: gdallocationinfo is not installed");
+        return None;
+    };
+    let text = String::from_utf8_lossy(&done.stdout).into_owned();
+    Some(text.split_whitespace().map(|v| v.parse().unwrap()).collect())
+}
+
+#[test]
+fn a_scene_becomes_a_store_of_terrain_imagery_and_models() {
+    let b = Bench::new("1", "24", "96", &["--site", "--gps-noise", "0.2"]);
+    let set = b.text("sets/00_site");
+    let run =
+        ["--iterations", "400", "--max-gaussians", "12000", "--device", "cpu", "--format", "cdb", "--models", "1"];
+    let told: Value =
+        serde_json::from_str(&b.good(&[&["train", &set, "-o", "out", "--json"], &run[..]].concat())).unwrap();
+    let store = b.at("out/scene.cdb");
+    let check = b.good(&["cdb", "check", &b.text("out/scene.cdb")]);
+    assert!(check.contains("pass 13") && check.contains("pass  6") && !check.contains("FAIL"), "{check}");
+    let said = &told["store"];
+    assert_eq!(said["models"], 1, "{said}");
+    let lod = |name: &str| said[name].as_i64().unwrap() as i8;
+    let truth = json(&b.at("sets/00_site/truth/cameras.json"));
+    let of = |name: &str| truth[name].as_f64().unwrap();
+    // Metres north of the middle: what stands in the middle is some metres wide.
+    for north in [-14.0, 14.0] {
+        let (latitude, longitude) = (of("latitude") + north / 111_200.0, of("longitude"));
+        let file = |dataset, lod, extension| {
+            let tile = Tile::containing(latitude, longitude, lod).unwrap();
+            store.join(names::path(tile, dataset, (1, 1), extension))
+        };
+        let terrain = file(names::ELEVATION, lod("terrain_lod"), "tif");
+        if let Some(height) = gdal_value(&terrain, latitude, longitude) {
+            assert!((height[0] - of("ellipsoidal_height_m")).abs() < 1.2, "{north} m north: {height:?}");
+        }
+        // Far from it the terrain is what is said to be invented.
+        let around = gdal_value(&file(names::ELEVATION, 0, "tif"), latitude.floor() + 0.5, longitude.floor() + 0.2);
+        if let Some(around) = around {
+            assert!((around[0] - said["around_ellipsoidal_height_m"].as_f64().unwrap()).abs() < 1e-3, "{around:?}");
+        }
+        // Grass and earth: no blue, and not the grey of what is not known.
+        if let Some(color) = gdal_value(&file(names::IMAGERY, lod("imagery_lod"), "jp2"), latitude, longitude) {
+            assert!(color.len() == 3 && color[2] < color[1] - 8.0, "{north} m north: {color:?}");
+        }
+    }
+    let p = predicate(&b.at("out"));
+    assert_eq!(
+        (p["params"]["models"].clone(), p["params"]["terrain_lod"].clone()),
+        (1.into(), said["terrain_lod"].clone())
+    );
+    b.good(&["audit", "verify", "out"]);
+}
+
 #[test]
 fn the_table_is_printed_runs_go_on_and_options_are_judged() {
     let b = Bench::new("1", "10", "64", &["--nerf"]);
@@ -95,6 +156,7 @@ fn the_table_is_printed_runs_go_on_and_options_are_judged() {
     assert!(b.refused(&["train", &set, "--background", "green"]).contains("random"));
     assert!(b.refused(&["train", &set, "--masks", &empty]).contains("masks by the photos' names"));
     assert!(b.refused(&["train", &set, "--format", "tiles3d"]).contains("place on the Earth"));
+    assert!(b.refused(&["train", &set, "--format", "spz,cdb"]).contains("--format cdb"));
     assert!(b.refused(&["train", "nowhere"]).contains("nowhere"));
     assert!(!b.at("00_container_nerf_scene").exists());
 }

@@ -1,6 +1,7 @@
 //! `orb train`: a folder of posed photos becomes the Gaussians of a whole scene, measured on photos held out, marked and sealed.
 
 mod blocks;
+mod store;
 mod told;
 
 use std::path::PathBuf;
@@ -54,8 +55,16 @@ pub enum SceneFormat {
     Spz,
     /// 3D Tiles in levels of detail, without the sky; for photos with a place on the Earth
     Tiles3d,
+    /// OGC CDB store: the ground as terrain and imagery, what stands on it as models; for photos with a place on the Earth
+    Cdb,
     /// None besides
     Ply,
+}
+
+impl SceneFormat {
+    fn needs_place(self) -> bool {
+        matches!(self, SceneFormat::Tiles3d | SceneFormat::Cdb)
+    }
 }
 
 /// Train a scene of Gaussians on a folder of posed photos.
@@ -104,6 +113,10 @@ pub struct Train {
     /// Also publish ground.ply and objects.ply: the Gaussians of the ground, and those of what stands on it.
     #[arg(long)]
     pub split_ground: bool,
+    /// Of what stands on the ground, make at most so many models in a CDB store, largest first; what none is made of stays in the
+    /// imagery.
+    #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(..=10_000))]
+    pub models: u32,
     /// LPIPS as ONNX, to measure that too: inputs `ref` and `dist`, 1×3×H×W, normalised as for ImageNet; output the distance.
     #[arg(long, value_name = "FILE.onnx")]
     pub lpips: Option<PathBuf>,
@@ -240,10 +253,10 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         kept,
     };
     let photos = &set.poses()?.photos;
-    if args.format.contains(&SceneFormat::Tiles3d) {
+    if let Some(format) = args.format.iter().find(|f| f.needs_place()).and_then(ValueEnum::to_possible_value) {
         let (to_unit, ..) = scene::unit_frame(set.poses()?, options.up, args.seed)?;
         register::register(&fixes, &to_unit, args.seed).ok_or_else(|| {
-            Error::usage("--format tiles3d")
+            Error::usage(format!("--format {}", format.get_name()))
                 .expected("photos that know their place on the Earth: three with GPS, or --gcp")
                 .found("none that say it")
         })?;
@@ -301,6 +314,13 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
             sealed.publication.add(&file.path, &file.bytes, file.media_type, "gaussians")?;
         }
     }
+    let stored = match &placed {
+        Some(p) if args.format.contains(&SceneFormat::Cdb) => {
+            let publication = &mut sealed.publication;
+            Some(store::publish(&done, p, args.models as usize, &labels, publication, (&bar, &say))?)
+        }
+        _ => None,
+    };
     let preview = export::scene_png(&done, &product)?;
     sealed.publication.add("preview.png", &preview, "image/png", "preview")?;
     bar.check()?;
@@ -310,7 +330,10 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         time: reading,
         inputs: set.inputs().to_vec(),
         models: told::models(&done, set.colmap()).into_iter().chain(measure).collect(),
-        params: told::params(args, &options, &set, &done, placed.as_ref()),
+        params: told::params(args, &options, &set, &done, placed.as_ref())
+            .into_iter()
+            .chain(stored.iter().flat_map(store::Stored::params))
+            .collect(),
     })?;
     bar.finish();
     let told = told::Told {
@@ -320,6 +343,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         cost: &cost,
         done: &done,
         placed: placed.as_ref(),
+        stored: stored.as_ref(),
         published: &published,
         banner: product.banner(),
         seconds: started.elapsed().as_secs_f64(),

@@ -172,7 +172,9 @@ impl Imported {
     pub fn with_levels(mut self, count: usize, progress: &dyn Progress) -> Result<Self> {
         let made = match (self.levels.pop(), &self.gaussians) {
             (Some(finest), _) => coarser::with_coarser(finest, count, progress)?,
-            (None, Some(g)) => surface(g, count.max(1), progress)?,
+            (None, Some(g)) => {
+                surface(g, mesh::Options { levels: count.max(1), ..mesh::Options::default() }, progress)?
+            }
             (None, None) => Vec::new(),
         };
         // What is made is off by millimetres, and must not reach below the ground by them.
@@ -195,7 +197,10 @@ fn bounds(g: &Gaussians) -> Option<([f64; 3], [f64; 3])> {
 }
 
 /// Splats to textured levels, as the main job makes them: into the unit sphere, and back.
-fn surface(g: &Gaussians, count: usize, progress: &dyn Progress) -> Result<Vec<PlacedLevel>> {
+///
+/// # Errors
+/// Usage where no splat can be seen; as [`mesh::build`].
+pub fn surface(g: &Gaussians, options: mesh::Options, progress: &dyn Progress) -> Result<Vec<PlacedLevel>> {
     let (low, high) = bounds(g).ok_or_else(|| Error::usage("the scene").found("no splat that can be seen"))?;
     let (low, high) = (Vec3::from_array(low.map(|x| x as f32)), Vec3::from_array(high.map(|x| x as f32)));
     let centre = (low + high) / 2.0;
@@ -211,7 +216,7 @@ fn surface(g: &Gaussians, count: usize, progress: &dyn Progress) -> Result<Vec<P
         let frame = drawers.render(camera, GREY);
         mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
     };
-    let options = mesh::Options { levels: count, background: GREY, ..Default::default() };
+    let options = mesh::Options { background: GREY, ..options };
     let model = mesh::build(&render, &[], &options, progress)?;
     let back = ToMetres { base: -centre / radius, scale: radius };
     Ok(back.levels(&model.levels))

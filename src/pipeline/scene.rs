@@ -3,9 +3,11 @@
 
 mod begin;
 pub mod blocks;
+pub mod bodies;
 mod brightness;
 pub mod cost;
 pub mod ground;
+pub mod nadir;
 mod pictures;
 pub mod plan;
 mod score;

@@ -68,6 +68,14 @@ pub fn previous_version(store: &dyn Store) -> Result<Option<String>> {
     Ok(previous.map(str::trim).filter(|p| !p.is_empty()).map(String::from))
 }
 
+/// The files and the empty folders of a new store that holds nothing yet.
+pub fn new_store(marking: &str, text: &str) -> (Vec<File>, Vec<String>) {
+    let version = version_xml(marking, text, None);
+    let mut files = vec![File { path: VERSION_XML.into(), bytes: version.into_bytes(), media_type: "application/xml" }];
+    files.extend(schemas(marking));
+    (files, EMPTY_FOLDERS.map(String::from).to_vec())
+}
+
 /// The path of a schema.
 pub fn schema_path(name: &str) -> String {
     format!("Metadata/Schema/{name}.xsd")

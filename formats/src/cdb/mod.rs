@@ -45,6 +45,6 @@ pub use check::{Finding, Report, RuleReport, Verdict, check, report};
 pub use dis::EntityType;
 pub use ground::{AddedGround, Ground, add_ground};
 pub use material::{Base, Material};
-pub use metadata::{MAX_VERSIONS, previous_version};
+pub use metadata::{MAX_VERSIONS, new_store, previous_version};
 pub use model::{Kind, Level, Model};
 pub use store::{Empty, ListableStore, Memory, Store, Versions};

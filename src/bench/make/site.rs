@@ -76,6 +76,22 @@ pub fn boxes(index: usize, seed: u64) -> Vec<(Vec3, Vec3)> {
     build(index, &mut begun(index, seed)).things.iter().map(|(m, _)| m.bounds()).collect()
 }
 
+/// Set `index` from straight above, without haze: a square of `half` metres to each side of its middle, +Y up.
+#[cfg(test)]
+pub fn from_above(index: usize, seed: u64, half: f32, size: u32) -> RgbImage {
+    let place = build(index, &mut begun(index, seed));
+    let high = 1000.0 * half;
+    let camera = Camera::look_at(Vec3::Z * high, Vec3::ZERO, 2.0 * (half / high).atan(), size);
+    let things = rgba(&place.mesh, &place.texture, &camera);
+    RgbImage::from_fn(size, size, |x, y| {
+        let at = |v: u32| 2.0 * half * ((v as f32 + 0.5) / size as f32) - half;
+        let below = ground(&place, Vec2::new(at(x), -at(y)), 2.0 * place.radius);
+        let [.., a] = things.get_pixel(x, y).0.map(|v| f32::from(v) / 255.0);
+        let over = things.get_pixel(x, y).0;
+        Rgb([0, 1, 2].map(|k| (f32::from(over[k]) * a + 255.0 * below[k].clamp(0.0, 1.0) * (1.0 - a) + 0.5) as u8))
+    })
+}
+
 fn place(index: usize, options: &Options, random: &mut Random, marking: &Marking) -> Result<(String, Vec<File>)> {
     let name = format!("{index:02}_site");
     let place = build(index, random);

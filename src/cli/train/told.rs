@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::store::Stored;
 use super::{Placed, StrategyName, Train};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{Published, record};
@@ -117,6 +118,7 @@ pub struct Told<'a> {
     pub cost: &'a Cost,
     pub done: &'a Scene,
     pub placed: Option<&'a Placed>,
+    pub stored: Option<&'a Stored>,
     pub published: &'a Published,
     pub banner: String,
     pub seconds: f64,
@@ -166,6 +168,9 @@ impl Told<'_> {
             for o in p.registration.outliers() {
                 line("outlier", format!("{} lies {:.1} m from where the others put it", o.name, o.enu.length()));
             }
+        }
+        if let Some(s) = self.stored {
+            line("store", s.words());
         }
         let training =
             format!("{:.1} s, {:.1} a second", r.seconds.train, r.iterations as f64 / r.seconds.train.max(1e-9));
@@ -239,6 +244,7 @@ impl Told<'_> {
             "up_from": done.up_by.label(),
             "world_to_unit": done.to_unit.to_string(),
             "georeference": georeference,
+            "store": self.stored.map(Stored::json),
             "marking": self.banner,
             "record": {
                 "ledger_id": self.published.ledger_id, "seq": self.published.seq,

@@ -5,9 +5,14 @@
 //! more than the slope explains is no ground → the ground's heights there from around → a Gaussian that lies close to them is
 //! ground. Lengths in the unit of the Gaussians, Z up.
 
+mod membrane;
+mod surface;
+
 use glam::Vec3;
 
 use crate::splat::Gaussians;
+pub use membrane::fill;
+pub use surface::Surface;
 
 /// How ground is told from what stands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -233,26 +238,24 @@ mod tests {
     use super::*;
     use crate::splat::train::random::Random;
 
-    fn hill(x: f32, y: f32) -> f32 {
+    pub fn hill(x: f32, y: f32) -> f32 {
         0.08 * (1.3 * x).sin() * (0.9 * y + 0.4).cos() + 0.03 * x
     }
 
+    /// Middle, half sizes and height of the boxes of [`place`].
+    pub fn boxes() -> Vec<[f32; 5]> {
+        let one = |k: usize| {
+            let (sin, cos) = (k as f32 * 0.7).sin_cos();
+            let far = 0.4 + 0.12 * k as f32;
+            [far * cos, far * sin, 0.05 + 0.01 * k as f32, 0.04 + 0.015 * (k % 4) as f32, 0.05 + 0.02 * (k % 3) as f32]
+        };
+        (0..12).map(one).collect()
+    }
+
     /// Points of hilly ground with boxes on it, a few of them floating below and above; with the truth.
-    fn place() -> (Vec<Vec3>, Vec<bool>) {
+    pub fn place() -> (Vec<Vec3>, Vec<bool>) {
         let mut r = Random::new(5);
-        let boxes: Vec<[f32; 5]> = (0..12)
-            .map(|k| {
-                let (sin, cos) = (k as f32 * 0.7).sin_cos();
-                let far = 0.4 + 0.12 * k as f32;
-                [
-                    far * cos,
-                    far * sin,
-                    0.05 + 0.01 * k as f32,
-                    0.04 + 0.015 * (k % 4) as f32,
-                    0.05 + 0.02 * (k % 3) as f32,
-                ]
-            })
-            .collect();
+        let boxes = boxes();
         let (mut points, mut truth) = (Vec::new(), Vec::new());
         for _ in 0..60_000 {
             let (x, y) = (4.0 * r.uniform() - 2.0, 4.0 * r.uniform() - 2.0);

@@ -2,6 +2,7 @@
 
 mod cut;
 mod ground;
+mod terrain;
 
 use std::sync::LazyLock;
 
@@ -73,10 +74,11 @@ fn against_truth(made: &Made, s: &Scene, fitted: bool) -> f64 {
 }
 
 static SITE: LazyLock<Made> = LazyLock::new(|| made(&PLAIN));
+static BRIEF: LazyLock<Scene> = LazyLock::new(|| trained(&SITE, &brief(), false));
 
 #[test]
 fn a_place_is_learnt_from_photos_and_met_from_where_none_was_taken() {
-    let s = trained(&SITE, &brief(), false);
+    let s = &*BRIEF;
     assert_eq!((s.held_out.photos, s.trained.photos), (3, 21));
     assert!(matches!(s.begun_from, From::Points(n) if n > 6000), "{:?}", s.begun_from);
     assert!(s.held_out.psnr > 22.5 && s.trained.psnr > 25.0, "{:?} {:?}", s.held_out, s.trained);

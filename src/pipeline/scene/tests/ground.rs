@@ -1,13 +1,13 @@
 //! Ground told from what stands on it, where the truth is known.
 
-use super::{SITE, brief, trained};
+use super::BRIEF;
 use crate::bench::make::photos::written_world;
 use crate::bench::make::site;
 use crate::pipeline::scene::ground::{Filter, separated};
 
 #[test]
 fn the_ground_of_a_made_place_is_found() {
-    let s = trained(&SITE, &brief(), false);
+    let s = &*BRIEF;
     let near = s.gaussians.len() - s.sky;
     let (terrain, ground) = separated(&s.gaussians, near, &Filter::default()).unwrap();
     // Where Gaussians are in the place's own metres: its ground is Z = 0.

@@ -1,0 +1,217 @@
+//! `--format cdb`: the scene as a CDB store of its own: the ground as terrain and imagery, what stands on it as models.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use orb_formats::File;
+use orb_formats::cdb::{self, Memory};
+
+use super::Placed;
+use crate::audit::Publication;
+use crate::audit::statement::Param;
+use crate::export::{self, Catalogue, Labels, OnEarth};
+use crate::pipeline::scene::bodies::{self, Body};
+use crate::pipeline::scene::ground::{self, Filter, Surface};
+use crate::pipeline::scene::nadir::{self, Nadir};
+use crate::pipeline::scene::{Role, Scene};
+use crate::progress::Progress;
+use crate::splat::Camera;
+use crate::splat::Gaussians;
+use crate::{Error, Result};
+
+/// What the store holds, for who is told.
+pub struct Stored {
+    pub lods: [i8; 2],
+    /// Square metres inside the outline, and the share of its cells that have Gaussians of their own.
+    pub area: f64,
+    pub measured: f64,
+    /// Metres: a cell of the surface, a pixel of the photos on it, the width of the band around it, the height around.
+    pub cell: f64,
+    pub pixel: f64,
+    pub band: f64,
+    pub level: f64,
+    /// Models, and bodies that none was made of.
+    pub models: usize,
+    pub left: usize,
+}
+
+/// Lower bodies are left in the imagery, metres.
+const LEAST_HEIGHT: f64 = 1.0;
+
+/// A store in memory that knows the kinds of its files.
+#[derive(Default)]
+struct Growing {
+    store: Memory,
+    kinds: BTreeMap<String, &'static str>,
+}
+
+impl Growing {
+    fn take(&mut self, files: Vec<File>) {
+        self.kinds.extend(files.iter().map(|f| (f.path.clone(), f.media_type)));
+        self.store.write(files);
+    }
+}
+
+/// Puts `scene.cdb` into the publication, with models of at most `most` bodies.
+///
+/// # Errors
+/// Usage where there is no ground to speak of; what the writer and the publication refuse.
+pub fn publish(
+    done: &Scene,
+    placed: &Placed,
+    most: usize,
+    labels: &Labels,
+    publication: &mut Publication,
+    (progress, say): (&dyn Progress, &dyn Fn(&str)),
+) -> Result<Stored> {
+    let missing = |found: &str| {
+        Error::usage("--format cdb")
+            .expected("ground that at least three photos see from above")
+            .found(found)
+            .advice("Train for longer, or leave cdb out.")
+    };
+    let near = done.gaussians.len() - done.sky;
+    let (terrain, is_ground) = ground::separated(&done.gaussians, near, &Filter::default())
+        .ok_or_else(|| missing("too few opaque Gaussians below what the photos look at"))?;
+    let cameras: Vec<Camera> = done.views.iter().filter(|v| v.role == Role::Trained).map(|v| v.camera).collect();
+    let surface_of = |is_ground: &[bool]| {
+        Surface::of(&done.gaussians, is_ground, &terrain, &cameras).ok_or_else(|| missing("no such place"))
+    };
+    let surface = surface_of(&is_ground)?;
+    let scale = placed.registration.to_enu.scale;
+    let all = bodies::of(&done.gaussians, near, &is_ground, &surface, (LEAST_HEIGHT / scale) as f32);
+    let chosen = &all[..all.len().min(most)];
+    let surface = surface_of(&bodies::cleared(&is_ground, chosen))?;
+    let earth = OnEarth::new(&placed.registration);
+    let lods = export::levels(&surface, &earth)?;
+    let pixel = (export::pixel_of(lods[1]) / scale) as f32;
+    let marking = labels.marking.line();
+    let mut grown = Growing::default();
+    let (files, folders) = cdb::new_store(&marking, "made by Orb");
+    grown.take(files);
+
+    let seen = nadir::as_seen(&done.gaussians, &cameras);
+    progress.begin("models", chosen.len() as u64);
+    let mut modelled: BTreeSet<usize> = BTreeSet::new();
+    let mut models = 0;
+    for (k, body) in chosen.iter().enumerate() {
+        match model(
+            &seen,
+            body,
+            &surface,
+            &earth,
+            &format!("{}_{:02}", labels.stem, k + 1),
+            labels,
+            (&grown.store, progress),
+        ) {
+            Ok(added) => {
+                grown.take(added.files);
+                modelled.extend(body.members.iter().chain(&body.feet));
+                models += 1;
+            }
+            Err(e) => {
+                progress.check()?;
+                say(&format!("no model of what stands at {}: {e}", body.middle));
+            }
+        }
+        progress.step(k as u64 + 1);
+    }
+    // What has become a model is not in the imagery below it, all else is. What hangs above most cameras is taken for air.
+    let mut eyes: Vec<f32> = cameras.iter().map(|c| c.position().z).collect();
+    eyes.sort_unstable_by(f32::total_cmp);
+    let ceiling = eyes.get(eyes.len() / 2).copied().unwrap_or(f32::INFINITY);
+    let drawn = seen.filtered(|i| i < near && seen.positions[i].z < ceiling && !modelled.contains(&i));
+    let picture = Nadir::of(&drawn, surface.bounds(), pixel);
+    let patch = export::add_terrain(&grown.store, &surface, &picture, &earth, lods, labels)?;
+    patch.notes.iter().for_each(|n| say(n));
+    grown.take(patch.files);
+    for folder in folders {
+        publication.add_folder(&format!("{}.cdb/{folder}", labels.stem))?;
+    }
+    for (path, bytes) in &grown.store.files {
+        let kind = grown.kinds.get(path).copied().unwrap_or("application/octet-stream");
+        publication.add(&format!("{}.cdb/{path}", labels.stem), bytes, kind, "cdb")?;
+    }
+    let metres = |v: f32| f64::from(v) * scale;
+    Ok(Stored {
+        lods,
+        area: f64::from(surface.area()) * scale * scale,
+        measured: surface.measured as f64 / surface.inside.max(1) as f64,
+        cell: metres(surface.cell),
+        pixel: metres(surface.pixel),
+        band: metres(surface.band),
+        level: patch.level,
+        models,
+        left: all.len() - models,
+    })
+}
+
+/// Stops with another, and says nothing of its own stages.
+struct Within<'a>(&'a dyn Progress);
+
+impl Progress for Within<'_> {
+    fn begin(&self, _: &'static str, _: u64) {}
+    fn step(&self, _: u64) {}
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
+/// A body as a model of the store, standing on the terrain.
+fn model(
+    seen: &Gaussians,
+    body: &Body,
+    surface: &Surface,
+    earth: &OnEarth,
+    name: &str,
+    labels: &Labels,
+    (store, progress): (&Memory, &dyn Progress),
+) -> Result<cdb::Added> {
+    let (levels, placement) = export::standing(seen, body, surface, earth, &Within(progress))?;
+    let labels = Labels { stem: name.into(), ..labels.clone() };
+    let model = export::cdb_model(&levels, &placement, &labels, &Catalogue::default());
+    cdb::add_model(store, &model).map_err(export::format_error)
+}
+
+impl Stored {
+    /// For a person.
+    pub fn words(&self) -> String {
+        let [terrain, imagery] = self.lods;
+        format!(
+            "scene.cdb: {} models{}; {:.0} m² of ground seen, {:.0} % of it measured, the rest filled in; terrain to LOD {terrain} ({:.2} m), \
+             imagery to LOD {imagery} ({:.2} m); over {:.1} m around it into {:.2} m above the ellipsoid (invented)",
+            self.models,
+            if self.left > 0 { format!(", {} more bodies left in the imagery", self.left) } else { String::new() },
+            self.area,
+            100.0 * self.measured,
+            export::pixel_of(terrain),
+            export::pixel_of(imagery),
+            self.band,
+            self.level
+        )
+    }
+
+    /// For the record.
+    pub fn params(&self) -> Vec<(String, Param)> {
+        let text = |v: String| Param::Text(v);
+        vec![
+            ("terrain_lod".into(), Param::Int(self.lods[0].into())),
+            ("imagery_lod".into(), Param::Int(self.lods[1].into())),
+            ("terrain_area_m2".into(), text(format!("{:.1}", self.area))),
+            ("terrain_measured_share".into(), text(format!("{:.3}", self.measured))),
+            ("terrain_cell_m".into(), text(format!("{:.4}", self.cell))),
+            ("terrain_band_m".into(), text(format!("{:.3}", self.band))),
+            ("terrain_around_m".into(), text(format!("{:.3} (invented)", self.level))),
+            ("models".into(), Param::Int(self.models as i64)),
+            ("bodies_left_in_imagery".into(), Param::Int(self.left as i64)),
+            ("photo_pixel_on_ground_m".into(), text(format!("{:.4}", self.pixel))),
+        ]
+    }
+
+    /// For programs.
+    pub fn json(&self) -> serde_json::Value {
+        serde_json::json!({
+            "terrain_lod": self.lods[0], "imagery_lod": self.lods[1], "area_m2": self.area, "measured_share": self.measured,
+            "models": self.models, "bodies_left_in_imagery": self.left, "cell_m": self.cell, "photo_pixel_m": self.pixel, "band_m": self.band, "around_ellipsoidal_height_m": self.level,
+        })
+    }
+}

@@ -1,0 +1,237 @@
+//! The ground of a made place as terrain on the Earth, against the truth: heights, colours, place.
+
+use glam::{DVec3, Vec2};
+use orb_formats::cdb::{self, Memory, geocell::Tile, ground as tiles, names};
+
+use super::{BRIEF, PLAIN, SITE};
+use crate::audit::Marking;
+use crate::bench::make::photos::{HEADING, HOME, written_world};
+use crate::bench::make::site;
+use crate::export::{self, Labels, OnEarth};
+use crate::geo::{Enu, Geodetic};
+use crate::photos::dataset;
+use crate::photos::register::{self, Fix, Registration};
+use crate::pipeline::scene::bodies::{self, Body};
+use crate::pipeline::scene::ground::{Filter, Surface, separated};
+use crate::pipeline::scene::nadir::{Nadir, as_seen};
+use crate::pipeline::scene::{Role, Scene};
+use crate::splat::Camera;
+use crate::splat::train::random::Random;
+
+/// Standard deviations of the receivers, metres: across, up.
+const NOISE: [f64; 2] = [0.3, 0.6];
+
+/// From the place's own metres to the Earth.
+fn place_of(own: DVec3) -> Geodetic {
+    let (sin, cos) = HEADING.to_radians().sin_cos();
+    HOME.offset(Enu { east: own.x * cos + own.y * sin, north: -own.x * sin + own.y * cos, up: own.z })
+}
+
+fn own_of(place: Geodetic) -> DVec3 {
+    let e = HOME.local(place.to_ecef());
+    let (sin, cos) = HEADING.to_radians().sin_cos();
+    DVec3::new(e.east * cos - e.north * sin, e.east * sin + e.north * cos, e.up)
+}
+
+/// The cameras' places as receivers have them.
+fn registered(s: &Scene) -> Registration {
+    let found = dataset::find(&SITE.at, None).unwrap().unwrap();
+    let (own, mut random) = (written_world().inverse(), Random::new(11));
+    let mut off = |sigma: f64| sigma * f64::from(random.normal());
+    let fixes: Vec<Fix> = found
+        .poses
+        .photos
+        .iter()
+        .map(|p| {
+            let at = own.apply(p.centre()) + DVec3::new(off(NOISE[0]), off(NOISE[0]), off(NOISE[1]));
+            let (name, place) = (p.name.clone(), place_of(at));
+            Fix { name, at: p.centre(), place, horizontal: NOISE[0], vertical: NOISE[1], control: false }
+        })
+        .collect();
+    register::register(&fixes, &s.to_unit, 1).unwrap()
+}
+
+fn measured(s: &Scene, metres: f32) -> (Surface, Vec<Camera>, Vec<Body>) {
+    let near = s.gaussians.len() - s.sky;
+    let (terrain, ground) = separated(&s.gaussians, near, &Filter::default()).unwrap();
+    let cameras: Vec<Camera> = s.views.iter().filter(|v| v.role == Role::Trained).map(|v| v.camera).collect();
+    let surface = Surface::of(&s.gaussians, &ground, &terrain, &cameras).unwrap();
+    let all = bodies::of(&s.gaussians, near, &ground, &surface, 1.0 / metres);
+    (Surface::of(&s.gaussians, &bodies::cleared(&ground, &all), &terrain, &cameras).unwrap(), cameras, all)
+}
+
+fn rms(v: &[f64]) -> f64 {
+    (v.iter().map(|x| x * x).sum::<f64>() / v.len() as f64).sqrt()
+}
+
+#[test]
+fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
+    let s = &*BRIEF;
+    let registration = registered(s);
+    let (surface, cameras, all) = measured(s, registration.to_enu.scale as f32);
+    let earth = OnEarth::new(&registration);
+    let lods = export::levels(&surface, &earth).unwrap();
+    let pixel = (export::pixel_of(lods[1]) / registration.to_enu.scale) as f32;
+    let near = s.gaussians.len() - s.sky;
+    let picture = Nadir::of(&as_seen(&s.gaussians.filtered(|i| i < near), &cameras), surface.bounds(), pixel);
+    let labels = Labels {
+        stem: "scene".into(),
+        marking: Marking::UNCLASSIFIED,
+        utc: "2026-11-21T04:05:06.789Z".into(),
+        heading_source: "georegistration",
+        scale_source: "georegistration",
+    };
+    let mut store = Memory::default();
+    store.write(cdb::new_store(&labels.marking.line(), "a test").0);
+    let patch = export::add_terrain(&store, &surface, &picture, &earth, lods, &labels).unwrap();
+    store.write(patch.files);
+    assert_eq!(cdb::check(&store).unwrap(), []);
+    assert!(patch.notes[0].contains("invented") && (patch.level - HOME.height).abs() < 1.0, "{}", patch.level);
+
+    // Every post of the finest level: where it lies in the place's own metres, and where in the surface's frame.
+    let boxes = site::boxes(0, PLAIN.seed);
+    let (mut open, mut below, mut beyond) = (Vec::new(), Vec::new(), 0);
+    let finest: Vec<Tile> = store
+        .files
+        .keys()
+        .filter_map(|path| names::parse(path))
+        .filter(|f| f.dataset == names::ELEVATION && f.tile.lod == lods[0])
+        .map(|f| f.tile)
+        .collect();
+    for tile in &finest {
+        let (grid, side) = (tiles::elevation_grid(*tile), tiles::side(tile.lod) as usize);
+        let heights = tiles::heights(&store, *tile, names::ELEVATION, tiles::SELECTOR).unwrap().unwrap();
+        for (i, height) in heights.iter().enumerate() {
+            let latitude = grid.north - (i / side) as f64 * grid.step_y;
+            let longitude = grid.west + (i % side) as f64 * grid.step_x;
+            let place = Geodetic { latitude, longitude, height: f64::from(*height) };
+            let own = own_of(place);
+            let share = surface.share(earth.unit(place).truncate().as_vec2());
+            let on = boxes
+                .iter()
+                .any(|(low, high)| (0..2).all(|k| own[k] > f64::from(low[k]) && own[k] < f64::from(high[k])));
+            match (share, on) {
+                (1.0, false) => open.push(own.z),
+                (1.0, true) => below.push(own.z),
+                (0.0, _) => {
+                    beyond += 1;
+                    assert!((f64::from(*height) - patch.level).abs() < 1e-3);
+                }
+                _ => {}
+            }
+        }
+    }
+    let highest = boxes.iter().take(6).map(|b| b.1.z).fold(0.0, f32::max);
+    let most = below.iter().copied().fold(f64::MIN, f64::max);
+    eprintln!(
+        "levels {lods:?}; {} posts of open ground off by {:.3} m (rms), {} below things by {:.3} m, {most:.2} m at most; \
+         the highest thing is {highest:.1} m",
+        open.len(),
+        rms(&open),
+        below.len(),
+        rms(&below),
+    );
+    assert!(open.len() > 300 && below.len() > 20 && beyond > 1000, "{} {} {beyond}", open.len(), below.len());
+    assert!(rms(&open) < 0.6 && rms(&below) < 0.8, "{} {}", rms(&open), rms(&below));
+    assert!(most < 1.5 && highest > 2.0, "{most} {highest}");
+
+    // What stands there is found, each thing once and nothing else; of the six in the middle at least four, from photos so small.
+    let mut taken = std::collections::BTreeSet::new();
+    for body in &all {
+        let middle = own_of(earth.place(body.middle.as_dvec2().extend(surface.height(body.middle).into())));
+        let near =
+            |b: &(glam::Vec3, glam::Vec3)| ((b.0 + b.1) / 2.0).truncate().distance(middle.truncate().as_vec2()) < 1.5;
+        let which = boxes.iter().position(near).unwrap_or_else(|| panic!("nothing stands at {middle}"));
+        assert!(taken.insert(which), "{which} twice");
+        let height = f64::from(body.height) * registration.to_enu.scale;
+        let truth = f64::from(boxes[which].1.z);
+        eprintln!("thing {which}: {height:.2} m high, {truth:.2} in truth");
+        assert!((height / truth - 1.0).abs() < 0.25, "{height} {truth}");
+        if let Ok(to) = std::env::var("SHOW") {
+            let (levels, place) =
+                export::standing(&as_seen(&s.gaussians, &cameras), body, &surface, &earth, &crate::progress::Silent)
+                    .unwrap();
+            let l = &levels[0];
+            let mesh = crate::mesh::Mesh {
+                positions: l.mesh.positions.iter().map(|p| glam::DVec3::from_array(*p).as_vec3()).collect(),
+                normals: l.mesh.normals.iter().map(|n| glam::Vec3::from_array(*n)).collect(),
+                uvs: l.mesh.uvs.iter().map(|n| Vec2::from_array(*n)).collect(),
+                triangles: l.mesh.triangles.clone(),
+            };
+            let (low, high) = mesh.bounds();
+            eprintln!("{place:?} {low} {high}");
+            let target = (low + high) / 2.0;
+            let eye = target + crate::views::eye(35.0, 20.0, 2.0 * (high - low).length());
+            let camera = Camera::look_at(eye, target, 0.6, 500);
+            crate::mesh::raster(&mesh, Some(&l.texture), &camera, [255; 3], 2)
+                .save(format!("{to}/thing{which}.png"))
+                .unwrap();
+        }
+    }
+    assert!(taken.len() >= 4 && taken.iter().all(|w| *w < 6), "{taken:?}");
+
+    // Colours where they belong: the picture from above matches best where it is, to half a metre.
+    let (half, size) = (40.0f32, 800u32);
+    let truth = site::from_above(0, PLAIN.seed, half, size);
+    let of_truth = |own: DVec3| {
+        let at = |v: f64| ((v + f64::from(half)) / f64::from(2.0 * half) * f64::from(size)) as u32;
+        let (x, y) = (at(own.x), at(-own.y));
+        (x < size && y < size).then(|| truth.get_pixel(x, y).0)
+    };
+    let apart = |east: f64, north: f64| {
+        let (mut sum, mut count) = (0.0, 0);
+        for k in 0..100 * 100 {
+            let own = DVec3::new(f64::from(k % 100) * 0.5 - 25.0, f64::from(k / 100) * 0.5 - 25.0, 0.0);
+            let at = earth.unit(place_of(own)).truncate().as_vec2();
+            if let (1.0, Some(b)) = (surface.share(at), of_truth(own + DVec3::new(east, north, 0.0))) {
+                let a = picture.color(at);
+                sum += (0..3).map(|c| (f64::from(a[c]) - f64::from(b[c])).powi(2)).sum::<f64>() / 3.0;
+                count += 1;
+            }
+        }
+        (sum / f64::from(count)).sqrt()
+    };
+    let mut best = (f64::MAX, [0.0; 2]);
+    for k in 0..13 * 13 {
+        let by = [f64::from(k % 13) * 0.25 - 1.5, f64::from(k / 13) * 0.25 - 1.5];
+        let off = apart(by[0], by[1]);
+        if off < best.0 {
+            best = (off, by);
+        }
+    }
+    let here = apart(0.0, 0.0);
+    if let Ok(to) = std::env::var("SHOW") {
+        truth.save(format!("{to}/truth.png")).unwrap();
+        let drawn = image::RgbImage::from_fn(size, size, |x, y| {
+            let at = |v: u32| f64::from(2.0 * half) * ((f64::from(v) + 0.5) / f64::from(size)) - f64::from(half);
+            let p = earth.unit(place_of(DVec3::new(at(x), -at(y), 0.0))).truncate().as_vec2();
+            let share = surface.share(p);
+            image::Rgb(picture.color(p).map(|v| (f32::from(v) * share + 128.0 * (1.0 - share)) as u8))
+        });
+        drawn.save(format!("{to}/drawn.png")).unwrap();
+    }
+    eprintln!("colours off by {here:.1} of 255; by {:.1} at best, moved by {:?} m", best.0, best.1);
+    assert!(best.1[0].hypot(best.1[1]) <= 0.51, "{best:?}");
+    assert!(here < 26.0, "{here}");
+}
+
+/// The Earth's curve and the two uprights: a point of the surface is found again from its latitude and longitude.
+#[test]
+fn places_of_the_earth_are_found_on_the_surface() {
+    let s = &*BRIEF;
+    let mut far = registered(s);
+    far.to_enu.scale = 2000.0;
+    let earth = OnEarth::new(&far);
+    for (x, y, z) in [(0.3, -0.4, 0.02), (-2.5, 1.5, -0.05), (0.0, 0.0, 0.0)] {
+        let place = earth.place(DVec3::new(x, y, z));
+        let back = earth.unit(place);
+        assert!(back.distance(DVec3::new(x, y, z)) < 1e-11, "{back}");
+        assert!((place.height - far.place(DVec3::new(x, y, z)).height).abs() < 1e-6);
+    }
+    let (surface, ..) = measured(s, 30.0);
+    let p = surface.outline[0] * 0.7;
+    let truth = earth.place(p.as_dvec2().extend(surface.height(p).into()));
+    let (at, height) = earth.on(&surface, truth.latitude, truth.longitude, truth.height + 80.0);
+    assert!(at.distance(p) < 2e-6 && (height - truth.height).abs() < 0.01, "{at} {p} {height}");
+    assert!(Vec2::ZERO.distance(at) > 0.05);
+}
