@@ -147,26 +147,6 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
         let truth = f64::from(boxes[which].1.z);
         eprintln!("thing {which}: {height:.2} m high, {truth:.2} in truth");
         assert!((height / truth - 1.0).abs() < 0.25, "{height} {truth}");
-        if let Ok(to) = std::env::var("SHOW") {
-            let (levels, place) =
-                export::standing(&as_seen(&s.gaussians, &cameras), body, &surface, &earth, &crate::progress::Silent)
-                    .unwrap();
-            let l = &levels[0];
-            let mesh = crate::mesh::Mesh {
-                positions: l.mesh.positions.iter().map(|p| glam::DVec3::from_array(*p).as_vec3()).collect(),
-                normals: l.mesh.normals.iter().map(|n| glam::Vec3::from_array(*n)).collect(),
-                uvs: l.mesh.uvs.iter().map(|n| Vec2::from_array(*n)).collect(),
-                triangles: l.mesh.triangles.clone(),
-            };
-            let (low, high) = mesh.bounds();
-            eprintln!("{place:?} {low} {high}");
-            let target = (low + high) / 2.0;
-            let eye = target + crate::views::eye(35.0, 20.0, 2.0 * (high - low).length());
-            let camera = Camera::look_at(eye, target, 0.6, 500);
-            crate::mesh::raster(&mesh, Some(&l.texture), &camera, [255; 3], 2)
-                .save(format!("{to}/thing{which}.png"))
-                .unwrap();
-        }
     }
     assert!(taken.len() >= 4 && taken.iter().all(|w| *w < 6), "{taken:?}");
 
@@ -200,16 +180,6 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
         }
     }
     let here = apart(0.0, 0.0);
-    if let Ok(to) = std::env::var("SHOW") {
-        truth.save(format!("{to}/truth.png")).unwrap();
-        let drawn = image::RgbImage::from_fn(size, size, |x, y| {
-            let at = |v: u32| f64::from(2.0 * half) * ((f64::from(v) + 0.5) / f64::from(size)) - f64::from(half);
-            let p = earth.unit(place_of(DVec3::new(at(x), -at(y), 0.0))).truncate().as_vec2();
-            let share = surface.share(p);
-            image::Rgb(picture.color(p).map(|v| (f32::from(v) * share + 128.0 * (1.0 - share)) as u8))
-        });
-        drawn.save(format!("{to}/drawn.png")).unwrap();
-    }
     eprintln!("colours off by {here:.1} of 255; by {:.1} at best, moved by {:?} m", best.0, best.1);
     assert!(best.1[0].hypot(best.1[1]) <= 0.51, "{best:?}");
     assert!(here < 26.0, "{here}");
