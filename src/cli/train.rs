@@ -316,8 +316,8 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     }
     let stored = match &placed {
         Some(p) if args.format.contains(&SceneFormat::Cdb) => {
-            let publication = &mut sealed.publication;
-            Some(store::publish(&done, p, args.models as usize, &labels, publication, (&bar, &say))?)
+            let how = store::How { most: args.models as usize, progress: &bar, say: &say };
+            Some(store::publish(&done, p, &labels, &mut sealed.publication, &how)?)
         }
         _ => None,
     };

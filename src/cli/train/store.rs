@@ -51,17 +51,24 @@ impl Growing {
     }
 }
 
-/// Puts `scene.cdb` into the publication, with models of at most `most` bodies.
+/// How it is made.
+pub struct How<'a> {
+    /// Models, at most.
+    pub most: usize,
+    pub progress: &'a dyn Progress,
+    pub say: &'a dyn Fn(&str),
+}
+
+/// Puts `scene.cdb` into the publication.
 ///
 /// # Errors
 /// Usage where there is no ground to speak of; what the writer and the publication refuse.
 pub fn publish(
     done: &Scene,
     placed: &Placed,
-    most: usize,
     labels: &Labels,
     publication: &mut Publication,
-    (progress, say): (&dyn Progress, &dyn Fn(&str)),
+    &How { most, progress, say }: &How,
 ) -> Result<Stored> {
     let missing = |found: &str| {
         Error::usage("--format cdb")
