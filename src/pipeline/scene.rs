@@ -269,6 +269,7 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize)
     // A photo has few turns in a short run, and Adam goes no further than its rate in each.
     let turns = n as f32 / photos.max(1) as f32;
     let hurry = (300.0 / turns.max(1.0)).clamp(1.0, 4.0);
+    let rates = full.rates;
     let density = Density {
         // Before it counts, every photo has had a turn.
         from: full.density.from.min(n / 20).max(photos.min(n / 20)),
@@ -287,7 +288,17 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize)
         pose_from: full.pose_from.min(n / 10),
         behind: if options.background == Background::Changing { Behind::Changing } else { Behind::Fixed(behind) },
         shuffled: true,
-        rates: Rates { exposure: hurry * full.rates.exposure, ..full.rates },
+        // Opacities settle soonest: faster, they only waver.
+        rates: Rates {
+            position: hurry * rates.position,
+            position_final: hurry * rates.position_final,
+            rotation: hurry * rates.rotation,
+            scale: hurry * rates.scale,
+            color: hurry.sqrt() * rates.color,
+            harmonics: hurry * rates.harmonics,
+            exposure: hurry * rates.exposure,
+            ..rates
+        },
         ..full
     };
     match options.strategy {
