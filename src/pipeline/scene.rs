@@ -183,7 +183,7 @@ pub fn fit(
     clock.lap("first Gaussians");
     progress.check()?;
 
-    let schedule = schedule(options, extent, behind, training);
+    let schedule = schedule(options, extent, behind, training, begun_from);
     let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
     let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
     brightness::settle(&mut trained.gaussians, &mut trained.exposures, &learnt);
@@ -263,12 +263,14 @@ fn extent(eyes: impl Iterator<Item = glam::Vec3> + Clone) -> f32 {
 }
 
 /// The schedule of 30,000 iterations; a shorter run ends its growing half-way and begins it earlier.
-pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize) -> splat::Options {
+pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize, from: From) -> splat::Options {
     let full = splat::Options::default();
     let n = options.iterations;
     // A photo has few turns in a short run, and Adam goes no further than its rate in each.
     let turns = n as f32 / photos.max(1) as f32;
     let hurry = (300.0 / turns.max(1.0)).clamp(1.0, 4.0);
+    // From random places longer steps fit the photos trained on by what floats before them.
+    let longer = if matches!(from, From::Random(_)) { 1.0 } else { hurry };
     let rates = full.rates;
     let density = Density {
         // Before it counts, every photo has had a turn.
@@ -290,12 +292,12 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize)
         shuffled: true,
         // Opacities settle soonest: faster, they only waver.
         rates: Rates {
-            position: hurry * rates.position,
-            position_final: hurry * rates.position_final,
-            rotation: hurry * rates.rotation,
-            scale: hurry * rates.scale,
-            color: hurry.sqrt() * rates.color,
-            harmonics: hurry * rates.harmonics,
+            position: longer * rates.position,
+            position_final: longer * rates.position_final,
+            rotation: longer * rates.rotation,
+            scale: longer * rates.scale,
+            color: longer.sqrt() * rates.color,
+            harmonics: longer * rates.harmonics,
             exposure: hurry * rates.exposure,
             ..rates
         },

@@ -165,7 +165,6 @@ pub fn fit(
         device: fitter.name(),
         ..Report::default()
     };
-    let begun = coarse.head.begun - coarse.head.sky.min(coarse.head.begun);
     let scene = Scene {
         gaussians,
         sky: coarse.head.sky,
@@ -174,7 +173,7 @@ pub fn fit(
         to_unit,
         up_by,
         ground,
-        begun_from: if coarse.head.random { From::Random(begun) } else { From::Points(begun) },
+        begun_from: coarse.head.begun_from(),
         views,
         trained,
         held_out,
@@ -260,7 +259,7 @@ impl Run<'_> {
         let photos = pictures.trained_on()?;
         let Begun { start, from, behind } =
             begin(self.source.poses, &self.to_unit, &pictures, self.extent, &options, self.options.max_gaussians)?;
-        let schedule = schedule(&options, self.extent, behind, photos);
+        let schedule = schedule(&options, self.extent, behind, photos, from);
         let (kept, checkpoint) = self.kept(&path)?;
         let begun = start.len();
         let done = train_kept(self.fitter, start, &pictures.targets, &schedule, &kept, self.progress)?;
@@ -329,7 +328,7 @@ impl Run<'_> {
         };
         let g = &coarse.gaussians;
         let start = g.filtered(|i| seen(g.positions[i]));
-        let plain = schedule(self.options, self.extent, coarse.head.behind, chosen.len());
+        let plain = schedule(self.options, self.extent, coarse.head.behind, chosen.len(), coarse.head.begun_from());
         let moving = Region { radius: far, low: grown.low, high: grown.high };
         let schedule = splat::Options { first_degree: 3, moving, ..plain };
         let (kept, checkpoint) = self.kept(path)?;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::pipeline::scene::From;
 use crate::splat::Gaussians;
 use crate::splat::packed::{Core, Packed, Sh};
 use crate::whole_file::{self, Found};
@@ -36,6 +37,14 @@ pub struct Head {
     pub random: bool,
     /// What stands behind all Gaussians.
     pub behind: [f32; 3],
+}
+
+impl Head {
+    /// What the scene's first Gaussians were made of, the sky's left out.
+    pub fn begun_from(&self) -> From {
+        let begun = self.begun.saturating_sub(self.sky);
+        if self.random { From::Random(begun) } else { From::Points(begun) }
+    }
 }
 
 impl Part {
