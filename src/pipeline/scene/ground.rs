@@ -6,6 +6,7 @@
 //! ground. Lengths in the unit of the Gaussians, Z up.
 
 mod membrane;
+mod smooth;
 mod surface;
 
 use glam::Vec3;

@@ -1,12 +1,13 @@
 //! The ground as a surface: heights on a regular grid, where photos saw it.
 //!
 //! Ground Gaussians → in each cell the median of their heights there, weighted by how much of them is there → cells that
-//! enough photos see and whose Gaussians agree → their convex outline → holes inside it as a membrane. Unit frame, Z up.
+//! enough photos see and whose Gaussians agree → their convex outline → noise taken out → holes inside it as a membrane.
+//! Unit frame, Z up.
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 use rayon::prelude::*;
 
-use super::{Terrain, membrane};
+use super::{Terrain, membrane, smooth};
 use crate::geo::convex_hull;
 use crate::splat::{Camera, Gaussians};
 
@@ -96,7 +97,8 @@ impl Surface {
         all.band = (BAND * radius).max(BAND_CELLS * all.cell);
         let inside: Vec<bool> = (0..own.len()).map(|i| all.beyond(all.middle(i)).0 == 0.0).collect();
         // What is known just outside holds the edge, too.
-        all.heights = own.iter().map(|h| h.unwrap_or(0.0)).collect();
+        let measured: Vec<f32> = own.iter().map(|h| h.unwrap_or(0.0)).collect();
+        all.heights = smooth::smoothed(&measured, &known, side);
         membrane::fill(&mut all.heights, &known, side);
         all.inside = inside.iter().filter(|i| **i).count();
         all.measured = inside.iter().zip(&known).filter(|(i, k)| **i && **k).count();
