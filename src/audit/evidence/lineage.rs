@@ -99,7 +99,7 @@ fn of_record(record: &Statement, report: &Report) -> Lineage {
     let algorithms = super::algorithms(&p.actor);
     Lineage {
         banner: report.marking.clone().unwrap_or_else(|| p.marking.banner.clone()),
-        inputs: gathered(p.inputs.iter().map(|i| of_input(i, findings)).collect()),
+        inputs: gathered(p.inputs.iter().map(|i| of_input(i, report)).collect()),
         run,
         models: ran.into_iter().map(of_model).collect(),
         not_used: not_used.into_iter().map(|m| m.id.clone()).collect(),
@@ -121,11 +121,13 @@ struct File {
     flawed: bool,
 }
 
-fn of_input(input: &Input, findings: &[Finding]) -> File {
+fn of_input(input: &Input, report: &Report) -> File {
     let mut lines = vec![format!("SHA-256 {}", short(Some(&input.sha256)))];
     lines.extend(input.marking.as_ref().map(|m| format!("marked {m} inside")));
-    let unchecked = findings.iter().any(|f| f.code == "INPUT_MISSING" && f.subject == input.name);
-    lines.push(if unchecked { "not compared here" } else { "compared: the same" }.into());
+    // A verification that ended before the inputs, and that of a ledger, say nothing of any.
+    let missing = report.findings.iter().any(|f| f.code == "INPUT_MISSING" && f.subject == input.name);
+    let compared = report.counts.inputs_verified > 0 && !missing;
+    lines.push(if compared { "compared: the same" } else { "not compared here" }.into());
     File { name: input.name.clone(), role: input.role.clone(), bytes: input.size, lines, flawed: false }
 }
 

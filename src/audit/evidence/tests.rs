@@ -256,6 +256,25 @@ fn the_lineage_shows_everything() {
     assert!(markdown.contains("## Lineage\n\n* Inputs\n  * van.jpg; photo, 5 bytes; "), "{markdown}");
 }
 
+/// Inputs that no verification looked at are not said to be the same.
+#[test]
+fn only_what_was_compared_is_said_to_be_the_same() {
+    with_report(
+        true,
+        |_| {},
+        |evidence| {
+            let said = |inputs_verified: u64| {
+                let mut report = evidence.report.clone();
+                report.findings.retain(|f| f.code != "INPUT_MISSING");
+                report.counts.inputs_verified = inputs_verified;
+                to_markdown(&Evidence { report: &report, ..*evidence }).unwrap()
+            };
+            assert!(said(0).contains("not compared here") && !said(0).contains("compared: the same"), "{}", said(0));
+            assert!(said(1).contains("compared: the same"), "{}", said(1));
+        },
+    );
+}
+
 /// No box lies over another or leaves the picture, however many files and however long their names.
 #[test]
 fn nothing_in_the_picture_overlaps() {
