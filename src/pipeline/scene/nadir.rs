@@ -6,6 +6,7 @@
 use glam::{Mat3, Vec2, Vec3};
 use rayon::prelude::*;
 
+use super::begin::sees;
 use super::ground;
 use crate::splat::render::{Drawer, sh};
 use crate::splat::{Camera, Gaussians, SH_C0, SH_COEFFICIENTS};
@@ -111,9 +112,7 @@ pub fn as_seen(g: &Gaussians, cameras: &[Camera]) -> Gaussians {
         let p = g.positions[i];
         let (mut mean, mut total) = ([0.0; SH_COEFFICIENTS], 0.0);
         for (camera, eye) in &asked {
-            let q = camera.rotation * p + camera.translation;
-            let (x, y) = (camera.fx * q.x / q.z + camera.cx, camera.fy * q.y / q.z + camera.cy);
-            if q.z > 0.0 && x >= 0.0 && y >= 0.0 && x <= camera.width as f32 && y <= camera.height as f32 {
+            if sees(camera, p) {
                 let weight = 1.0 / (p - *eye).length_squared().max(1e-6);
                 let basis = sh::basis((p - *eye).normalize_or_zero().to_array(), 3);
                 mean.iter_mut().zip(basis).for_each(|(m, b)| *m += weight * b);

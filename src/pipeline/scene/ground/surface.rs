@@ -7,6 +7,7 @@
 use glam::{Mat3, Quat, Vec2, Vec3};
 use rayon::prelude::*;
 
+use super::super::begin::sees;
 use super::{Terrain, membrane, smooth};
 use crate::geo::convex_hull;
 use crate::splat::{Camera, Gaussians};
@@ -302,10 +303,7 @@ fn working_distance(cameras: &[Camera], g: &Gaussians, ground: &[bool]) -> f32 {
 
 /// The distance of a point that a camera has in its picture.
 fn seen_from(c: &Camera, p: Vec3) -> Option<f32> {
-    let q = c.rotation * p + c.translation;
-    let (x, y) = (c.fx * q.x / q.z + c.cx, c.fy * q.y / q.z + c.cy);
-    let inside = q.z > 0.0 && x >= 0.0 && y >= 0.0 && x <= c.width as f32 && y <= c.height as f32;
-    inside.then(|| q.length())
+    sees(c, p).then(|| p.distance(c.position()))
 }
 
 /// What a pixel of the nearest photo covers at a place that enough photos see.
