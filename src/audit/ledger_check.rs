@@ -3,8 +3,9 @@
 //! the 16 bytes of each event's identity and the clocks of each start of the machine.
 
 mod boots;
+mod reconcile;
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::HashSet;
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -18,17 +19,16 @@ use super::ledger::{self, read_line_limited};
 use super::marking::Marking;
 use super::merkle::Frontier;
 use super::pem;
-use super::publication::RECORD;
 use super::record_check::{
     Policy, Signer, check_fields, check_policy, check_signatures, check_standing, read_statement,
 };
 use super::report::{Finding, Range, Report, Severity};
-use super::statement::{Outcome, Statement};
+use super::statement::Statement;
 use super::time;
 use super::trust::{CertChain, Signed, TrustStore};
-use super::verify::read_record;
 use crate::{Error, Result};
 use boots::Boots;
+pub use reconcile::reconcile;
 
 /// Records that are read and checked at a time.
 const BATCH: usize = 256;
@@ -94,53 +94,6 @@ pub fn verify_ledger(request: &LedgerRequest<'_>) -> Result<Report> {
             return Ok(walk.finish());
         }
     }
-}
-
-/// The folders below `roots` that Orb published, against the ledger: every record must stand in it.
-///
-/// # Errors
-/// As [`verify_ledger`].
-pub fn reconcile(ledger: &Path, roots: &[PathBuf], trust: &TrustStore) -> Result<Report> {
-    let mut report = Report::new(trust);
-    let mut in_ledger = BTreeSet::new();
-    let mut published = BTreeSet::new();
-    let mut reader = open(ledger)?;
-    let mut line = Vec::new();
-    while read_line_limited(&mut reader, &mut line).map_err(|e| Error::io(ledger, &e))? {
-        let Ok(envelope) = Envelope::parse(&line) else { continue };
-        let Ok((statement, _)) = Statement::parse(&envelope.payload) else { continue };
-        let Ok(hash) = statement.trail_hash() else { continue };
-        report.ledger_id = Some(statement.predicate.chain.ledger_id.clone());
-        report.counts.records += 1;
-        if !statement.subject.is_empty() && statement.predicate.event.outcome == Outcome::Success {
-            published.insert(hash.clone());
-        }
-        in_ledger.insert(hash);
-    }
-    for root in roots {
-        for entry in disk::walk(root)?.iter().filter(|e| e.is_file) {
-            let folder = match entry.path.file_name() {
-                Some(name) if name == RECORD => entry.path.parent().unwrap_or(root),
-                _ => continue,
-            };
-            let subject = folder.display().to_string();
-            report.counts.outputs_listed += 1;
-            match read_record(folder).map(|(_, statement)| statement.trail_hash()) {
-                Ok(Ok(hash)) if in_ledger.contains(&hash) => {
-                    report.counts.outputs_verified += 1;
-                    published.remove(&hash);
-                }
-                Ok(Ok(hash)) => report.findings.push(Finding::new("NOT_IN_LEDGER", subject).actual(hash)),
-                Ok(Err(fault)) => report.findings.push(Finding::new(fault.code(), subject).actual(fault.detail())),
-                Err(error) => report.findings.push(Finding::new("SCHEMA_INVALID", subject).actual(error.found)),
-            }
-        }
-    }
-    for hash in published {
-        report.findings.push(Finding::new("FOLDER_NOT_FOUND", hash));
-    }
-    report.conclude(false);
-    Ok(report)
 }
 
 fn open(ledger: &Path) -> Result<BufReader<File>> {

@@ -195,9 +195,6 @@ fn hint(code: &str) -> &'static str {
         }
         "LEDGER_OPEN" => "The ledger goes on; its last record is no `ledger.close`.",
         "ANCHOR_REQUIRED" => "Name a checkpoint that was kept elsewhere with --checkpoint.",
-        "NOT_IN_LEDGER" => {
-            "The folder's record is in no ledger that was given: the ledger lost it, or another one holds it."
-        }
         "FOLDER_NOT_FOUND" => "The ledger has a record whose folder is not among those that were given.",
         "TOO_MANY_FINDINGS" => "What is wrong is wrong throughout; the rest is not listed.",
         "KEY_EXPIRED" => "The key was not to be trusted at the time that the record states.",

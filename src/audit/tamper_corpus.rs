@@ -15,6 +15,9 @@ mod ledgers;
 #[cfg(not(feature = "fips"))]
 mod make;
 #[cfg(not(feature = "fips"))]
+mod remains;
+mod rows;
+#[cfg(not(feature = "fips"))]
 mod suites;
 
 use std::fs;
@@ -22,8 +25,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::ledger_check::{LedgerRequest, verify_ledger};
-use super::report::{Report, Severity};
+use super::ledger_check::{LedgerRequest, reconcile, verify_ledger};
+use super::report::{Finding, Report, Severity};
 use super::trust::{self, Entry, TrustStore};
 use super::verify::{Request, verify};
 use super::{DataFolder, Policy};
@@ -34,14 +37,14 @@ const NOW_MS: u64 = 1_763_700_000_000;
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Case {
-    /// The folder below `folder/` or `ledger/`.
+    /// The folder below `folder/` or `ledger/`; for a reconciliation the ledger below `reconcile/`.
     name: String,
     kind: Kind,
     /// What was done.
     change: String,
     /// Public keys, authorities' certificates and revocation lists to trust.
     trust: Vec<String>,
-    /// Checkpoints kept elsewhere, or inputs to compare.
+    /// Checkpoints kept elsewhere, inputs to compare, or the published folders that are left.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     beside: Vec<String>,
     /// Further options of the verification, as the command line has them.
@@ -49,6 +52,9 @@ struct Case {
     options: Vec<String>,
     /// Codes that must be among the errors and warnings; none for a pass.
     expect: Vec<String>,
+    /// Codes that must be among the notes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     exit_code: u8,
     /// Algorithms that a verifier has to know for this; one that does not must refuse (`ALG_REFUSED`).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -60,22 +66,44 @@ struct Case {
 enum Kind {
     Folder,
     Ledger,
+    Reconcile,
+}
+
+impl Kind {
+    /// Where the cases of this kind stand.
+    fn folder(self) -> &'static str {
+        match self {
+            Kind::Folder => "folder",
+            Kind::Ledger => "ledger",
+            Kind::Reconcile => "reconcile",
+        }
+    }
 }
 
 fn corpus() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/vectors/tamper")
 }
 
-/// What a verification gives: the codes of its errors and warnings, its exit code, its words.
-fn run(root: &Path, case: &Case) -> (Vec<String>, u8, String) {
+/// What a verification gives: the codes of its errors and warnings, those of its notes, its exit code, its words.
+struct Judged {
+    codes: Vec<String>,
+    notes: Vec<String>,
+    exit_code: u8,
+    words: String,
+}
+
+fn run(root: &Path, case: &Case) -> Judged {
     judge(root, case).map_or_else(
         |error| {
             let code = error.found.split(':').next().unwrap_or_default().to_owned();
-            (vec![code], error.kind.exit_code(), error.to_string())
+            let words = error.to_string();
+            Judged { codes: vec![code], notes: Vec::new(), exit_code: error.kind.exit_code(), words }
         },
         |report| {
-            let weighty = report.findings.iter().filter(|f| f.severity != Severity::Note);
-            (weighty.map(|f| f.code.to_owned()).collect(), report.exit_code, report.to_text())
+            let (notes, codes): (Vec<_>, Vec<_>) = report.findings.iter().partition(|f| f.severity == Severity::Note);
+            let names = |found: Vec<&Finding>| found.into_iter().map(|f| f.code.to_owned()).collect();
+            let words = report.to_text();
+            Judged { codes: names(codes), notes: names(notes), exit_code: report.exit_code, words }
         },
     )
 }
@@ -103,12 +131,12 @@ fn judge(root: &Path, case: &Case) -> crate::Result<Report> {
     let program = value("--program").map(|name| root.join(name));
     match case.kind {
         Kind::Folder => {
-            let folder = root.join("folder").join(&case.name);
+            let folder = root.join(case.kind.folder()).join(&case.name);
             let request = Request::new(&folder, &trust, NOW_MS);
             verify(&Request { inputs: &beside, weights: &weights, program: program.as_deref(), policy, ..request })
         }
         Kind::Ledger => verify_ledger(&LedgerRequest {
-            ledger: &root.join("ledger").join(&case.name).join("orb-ledger.jsonl"),
+            ledger: &root.join(case.kind.folder()).join(&case.name).join("orb-ledger.jsonl"),
             trust: &trust,
             checkpoints: &beside,
             require_anchor: false,
@@ -116,16 +144,23 @@ fn judge(root: &Path, case: &Case) -> crate::Result<Report> {
             strict: false,
             policy,
         }),
+        Kind::Reconcile => {
+            reconcile(&root.join(case.kind.folder()).join(&case.name).join("orb-ledger.jsonl"), &beside, &trust)
+        }
     }
+}
+
+fn cases(root: &Path) -> Vec<Case> {
+    serde_json::from_slice(&fs::read(root.join("cases.json")).unwrap()).unwrap()
 }
 
 #[test]
 fn every_change_in_the_corpus_is_reported() {
     let root = corpus();
-    let cases: Vec<Case> = serde_json::from_slice(&fs::read(root.join("cases.json")).unwrap()).unwrap();
-    assert!(cases.len() >= 50, "{}", cases.len());
+    let cases = cases(&root);
+    assert!(cases.len() >= 90, "{}", cases.len());
     for case in &cases {
-        let (codes, exit_code, words) = run(&root, case);
+        let Judged { codes, notes, exit_code, words } = run(&root, case);
         if cfg!(feature = "fips") && !case.needs.is_empty() {
             assert_eq!((codes, exit_code), (vec!["ALG_REFUSED".into()], 4), "{}: {words}", case.name);
             continue;
@@ -133,6 +168,9 @@ fn every_change_in_the_corpus_is_reported() {
         assert_eq!(exit_code, case.exit_code, "{}: {words}", case.name);
         for code in &case.expect {
             assert!(codes.contains(code), "{}: {code} in {codes:?}", case.name);
+        }
+        for code in &case.notes {
+            assert!(notes.contains(code), "{}: {code} in {notes:?}", case.name);
         }
         assert_eq!(codes.is_empty(), case.expect.is_empty(), "{}: {codes:?}", case.name);
     }

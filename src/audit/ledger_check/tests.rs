@@ -8,6 +8,7 @@ use crate::audit::keys::tests::{other_key, shared_key};
 use crate::audit::publication::tests::publish;
 use crate::audit::record::{self, tests::draft};
 use crate::audit::report::{Severity, Verdict};
+use crate::audit::statement::Outcome;
 use crate::audit::{Ledger, canonical};
 
 pub(crate) const NOW_MS: u64 = 1_763_700_000_000;
@@ -236,10 +237,25 @@ fn published_folders_stand_in_the_ledger() {
     assert!(report.to_text().contains("1 of 1 published folders"));
     let (_other, empty) = super::tests::ledger(1);
     let report = reconcile(&empty, &roots, &trust()).unwrap();
-    assert_eq!((codes(&report), report.exit_code), (vec!["NOT_IN_LEDGER"], 1));
+    assert_eq!((codes(&report), report.exit_code), (vec!["RECORD_MISSING"], 1));
+    assert!(report.findings[0].actual == "1 records without it", "{}", report.to_text());
     let report = reconcile(&ledger, &[dir.path().join("data")], &trust()).unwrap();
     assert_eq!(report.findings[0].code, "FOLDER_NOT_FOUND");
     assert_eq!(report.exit_code, 0);
+
+    // Emptied, and removed: the folder that is left shows that there was a record.
+    let hash = report.findings[0].subject.clone();
+    fs::write(&ledger, "").unwrap();
+    for (left, words) in [("emptied", "0 records without it"), ("removed", "no ledger")] {
+        let report = reconcile(&ledger, &roots, &trust()).unwrap();
+        assert_eq!((codes(&report), report.exit_code), (vec!["RECORD_MISSING"], 1), "{left}");
+        let found = &report.findings[0];
+        assert!(found.actual == words && found.expected.starts_with("record 0 of ledger "), "{}", report.to_text());
+        assert!(found.expected.ends_with(&hash) && found.subject.ends_with("out"), "{}", report.to_text());
+        let _ = fs::remove_file(&ledger);
+    }
+    let error = reconcile(&ledger, &[dir.path().join("data")], &trust()).unwrap_err();
+    assert_eq!(error.kind, crate::Kind::Incomplete, "neither a ledger nor a folder: {error}");
 }
 
 /// `cargo test --release --lib a_hundred_thousand -- --ignored --nocapture` prints how long a

@@ -100,8 +100,7 @@ pub(super) fn make(root: &Path, cases: &mut Vec<Case>) {
 #[ignore = "writes a part of the corpus anew"]
 fn make_the_fields_of_the_tamper_corpus() {
     let root = corpus();
-    let text = fs::read(root.join("cases.json")).unwrap();
-    let mut cases: Vec<Case> = serde_json::from_slice(&text).unwrap();
+    let mut cases = super::cases(&root);
     cases.retain(|case| FIELDS.iter().all(|fields| fields.0 != case.name));
     for (name, ..) in FIELDS {
         let _ = fs::remove_dir_all(root.join("folder").join(name));

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::folders::{FOLDERS, PHOTO, TRUSTED, VERIFIED_OTHERWISE, signed_under_certificates};
 use super::ledgers::{Keeps, LEDGERS};
 use super::{Case, Kind, corpus};
-use super::{clocks, fields, suites};
+use super::{clocks, fields, remains, suites};
 use crate::audit::dsse::PAYLOAD_TYPE;
 use crate::audit::keys::tests::{other_key, shared_key};
 use crate::audit::keys::{Bits, KeySource, SigningKey};
@@ -38,6 +38,7 @@ pub(super) fn case(
         beside: owned(beside),
         options: owned(options),
         expect: owned(expect),
+        notes: Vec::new(),
         exit_code,
         needs: Vec::new(),
     }
@@ -59,7 +60,7 @@ pub(super) fn copy_folder(from: &Path, to: &Path) {
 #[ignore = "writes the corpus anew"]
 fn make_the_tamper_corpus() {
     let root = corpus();
-    for part in ["folder", "ledger"] {
+    for part in ["folder", "ledger", "reconcile"] {
         let _ = fs::remove_dir_all(root.join(part));
         fs::create_dir_all(root.join(part)).unwrap();
     }
@@ -118,7 +119,10 @@ fn make_the_tamper_corpus() {
             fs::copy(path.with_file_name("head.json"), folder.join("head.json")).unwrap();
         }
         let beside: &[&str] = if keeps == Keeps::Elsewhere { &["kept.dsse.json"] } else { &[] };
-        cases.push(case(name, Kind::Ledger, change, &TRUSTED, beside, &[], expect, exit_code));
+        let unseen =
+            if expect.is_empty() && keeps == Keeps::Nothing { vec!["TAIL_UNANCHORED".into()] } else { Vec::new() };
+        let case = case(name, Kind::Ledger, change, &TRUSTED, beside, &[], expect, exit_code);
+        cases.push(Case { notes: unseen, ..case });
     }
     // Of these there is no file.
     let deleted = "the whole ledger removed";
@@ -128,6 +132,7 @@ fn make_the_tamper_corpus() {
     clocks::make(&root, &mut cases);
     fields::make(&root, &mut cases);
     suites::make(&root, &mut cases);
+    remains::make(&root, &mut cases);
     write_cases(&root, &cases);
     assert_eq!(PAYLOAD_TYPE, "application/vnd.in-toto+json");
 }

@@ -135,8 +135,7 @@ pub(super) fn make(root: &Path, cases: &mut Vec<Case>) {
 #[ignore = "writes a part of the corpus anew"]
 fn make_the_suites_of_the_tamper_corpus() {
     let root = corpus();
-    let text = fs::read(root.join("cases.json")).unwrap();
-    let mut cases: Vec<Case> = serde_json::from_slice(&text).unwrap();
+    let mut cases = super::cases(&root);
     let is_ours = |name: &str| BY_ML_DSA.iter().chain(&BY_BOTH).any(|f| f.0 == name);
     cases.retain(|c| !is_ours(&c.name));
     for (name, ..) in BY_ML_DSA.iter().chain(&BY_BOTH) {
