@@ -73,8 +73,9 @@ pub fn openssl_commands(folder: &Path, beside: Beside<'_>) -> Result<String> {
          {signatures}\
          # Those bytes are the record's: the line of their digest.\n\
          sed 's/.*\"payload\":\"\\([^\"]*\\)\".*/\\1/' {RECORD} | base64 -d | sha256sum | grep \"$(tail -c +{first} {RECORD_PAE} | sha256sum)\"\n\
-         # The trail hash: the line of it.\n\
-         tail -c +{first} {RECORD_PAE} | sed 's/,\"trail_hash\":\"[0-9a-f]*\"//' | tr -d '\\n' | sha256sum | grep {trail_hash}\n\
+         # The trail hash: the line of it. It is the field before `where`; nothing else of that name, such as a parameter, has an\n\
+         # object after it.\n\
+         tail -c +{first} {RECORD_PAE} | sed 's/,\"trail_hash\":\"[0-9a-f]*\",\"where\":{{/,\"where\":{{/' | tr -d '\\n' | sha256sum | grep {trail_hash}\n\
          {others}\
          # Every output.\n\
          sha256sum -c {outputs}\n"
@@ -139,6 +140,27 @@ mod tests {
         assert!(text.contains(&format!("{}  scene.ply", canonical::sha256_hex(&ply()))));
         fs::remove_file(out.join(RECORD)).unwrap();
         assert_eq!(openssl_commands(&out, Beside::default()).unwrap_err().kind, Kind::Incomplete);
+    }
+
+    /// Parameters of the names around which the trail hash is found change nothing about it.
+    #[test]
+    fn parameters_named_like_the_seal() {
+        let dir = tempfile::tempdir().unwrap();
+        publish(dir.path());
+        let out = dir.path().join("out");
+        let hash = "ab".repeat(32);
+        for params in [
+            json!({"seed": 7, "trail_hash": hash}),
+            json!({"a": hash, "trail_hash": hash, "where": hash}),
+            json!({"a": format!(",\"trail_hash\":\"{hash}\",\"where\":{{"), "trail_hash": "", "where": "{"}),
+        ] {
+            forge(&out, shared_key(), |v| v["predicate"]["params"] = params.clone());
+            let trail_hash = payload(&out)["predicate"]["trail_hash"].as_str().unwrap().to_owned();
+            let commands = openssl_commands(&out, Beside::default()).unwrap();
+            let done = std::process::Command::new("sh").args(["-e", "-c", &commands]).output().unwrap();
+            let said = String::from_utf8_lossy(&done.stdout).into_owned();
+            assert!(done.status.success() && said.contains(&trail_hash), "{params}: {said} {done:?}");
+        }
     }
 
     /// The commands as they are, in a shell that stops at the first that fails: they find what Orb finds.
