@@ -328,7 +328,7 @@ impl Ledger {
 }
 
 /// Where the certificates stand of those who signed a ledger.
-pub(super) fn chains_beside(ledger: &Path) -> PathBuf {
+pub fn chains_beside(ledger: &Path) -> PathBuf {
     ledger.with_file_name("chains")
 }
 

@@ -4,6 +4,7 @@
 //! sealing hashes, signs, appends to the ledger and publishes. [`verify`] checks a published folder offline. What
 //! comes out is evidence for an assessment, never the assessment.
 
+pub mod allowed;
 pub mod archive;
 pub mod by_hand;
 pub mod canonical;

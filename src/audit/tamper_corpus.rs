@@ -29,7 +29,7 @@ use super::ledger_check::{LedgerRequest, reconcile, verify_ledger};
 use super::report::{Finding, Report, Severity};
 use super::trust::{self, Entry, TrustStore};
 use super::verify::{Request, verify};
-use super::{DataFolder, Policy};
+use super::{DataFolder, Policy, allowed};
 
 /// Any time after the corpus's records.
 const NOW_MS: u64 = 1_763_700_000_000;
@@ -118,8 +118,7 @@ fn judge(root: &Path, case: &Case) -> crate::Result<Report> {
     let value = |name: &str| case.options.iter().position(|o| o == name).map(|at| case.options[at + 1].as_str());
     let has = |name: &str| case.options.iter().any(|o| o == name);
     let trust = TrustStore::load(&data, &[])?.expect(value("--trust-store"))?;
-    let models: Option<Vec<String>> =
-        value("--models").map(|name| fs::read_to_string(root.join(name)).unwrap().lines().map(str::to_owned).collect());
+    let models: Option<Vec<String>> = value("--models").map(|name| allowed::read(&root.join(name))).transpose()?;
     let policy = Policy {
         require_time_sync: has("--require-time-sync"),
         require_inputs: has("--require-inputs"),

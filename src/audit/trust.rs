@@ -17,7 +17,7 @@ use super::keys::{PublicKey, SigningKey};
 use super::marking::Marking;
 use super::pem;
 use crate::{Error, Result};
-pub use chain::{Authority, CertChain};
+pub use chain::{Authority, CertChain, Validity};
 pub use entry::{Entry, Objection, Reason, Revocation, SCHEMA, Signed};
 
 /// Largest revocation list that is read, bytes.
@@ -184,6 +184,19 @@ impl TrustStore {
         let crls = self.crls.keys().map(|k| format!("crl {k}\n"));
         sha256_hex(keys.chain(authorities).chain(crls).collect::<String>().as_bytes())
     }
+}
+
+/// The chains of certificates in a folder that need not exist, by the names of their files: of a published folder, or of
+/// those beside a ledger. What is no chain is passed over: the verification says so.
+///
+/// # Errors
+/// [`crate::Kind::Environment`] when the folder cannot be read.
+pub fn chains_in(folder: &Path) -> Result<Vec<CertChain>> {
+    let mut chains = Vec::new();
+    for path in pem_files(folder)?.iter().filter(|path| fs::metadata(path).is_ok_and(|m| m.len() <= pem::MAX_BYTES)) {
+        chains.extend(CertChain::from_pem(&read_text(path, pem::MAX_BYTES)?).ok());
+    }
+    Ok(chains)
 }
 
 /// Every `.pem` of a folder that need not exist, sorted.

@@ -1,20 +1,28 @@
 //! Which controls a report is evidence for, what it does not show, and whose duty that is. Control names: NIST SP
 //! 800-53 revision 5, NIST SP 800-171 revision 2 (CMMC level 2), 45 CFR 164.312.
 
-use super::{Block, Evidence, Section};
+use super::{Block, Cell, Evidence, Section, spans};
 use crate::audit::report::Verdict;
-use crate::audit::statement::Statement;
+use crate::audit::statement::{Outcome, Predicate, Statement};
 use crate::audit::time::SyncStatus;
 
 pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section {
     let report = evidence.report;
     let (n, pass) = (records.len(), report.verdict == Verdict::Pass);
-    let all =
-        |what: &str, yes: bool| if yes && n > 0 { what.to_owned() } else { "nothing that can be relied on".into() };
+    // The words, and the records that are the evidence.
+    let of = |what: &str, yes: bool, which: &dyn Fn(&Statement) -> bool| {
+        if !yes || n == 0 {
+            return "nothing that can be relied on".into();
+        }
+        Cell::about(what, spans(records.iter().filter(|s| which(s)).map(|s| s.predicate.chain.seq)))
+    };
+    let all = |what: &str, yes: bool| of(what, yes, &|_| true);
     let mut operators: Vec<&str> = records.iter().map(|s| s.predicate.actor.operator_id.as_str()).collect();
     operators.sort_unstable();
     operators.dedup();
-    let synchronised = records.iter().filter(|s| s.predicate.time.sync_status == SyncStatus::Synchronised).count();
+    let is_synchronised = |s: &Statement| s.predicate.time.sync_status == SyncStatus::Synchronised;
+    let synchronised = records.iter().filter(|s| is_synchronised(s)).count();
+    let accounts = records.iter().filter(|s| is_of_accounts(&s.predicate)).count();
     let failures = records.iter().filter(|s| s.predicate.event.error_code.is_some()).count();
     let weights = records.iter().flat_map(|s| &s.predicate.models).filter(|m| m.weights_sha256.is_some()).count();
     let fips = records.iter().any(|s| s.predicate.crypto.fips_mode);
@@ -24,8 +32,13 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
     let rows = [
         (
             "AC-2 Account management",
-            "nothing: the program has no accounts; records name the operating system's user or the certificate's"
-                .into(),
+            match accounts {
+                0 => "nothing: the command line has no accounts; records name the operating system's user or the certificate's"
+                    .into(),
+                n => of(&format!("{} of accounts and sessions of orb serve", count(n, "record")), true, &|s| {
+                    is_of_accounts(&s.predicate)
+                }),
+            },
             "that accounts are managed",
             "accounts, approvals, reviews, leavers",
         ),
@@ -53,18 +66,21 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "AU-8 Time stamps",
-            all(
+            of(
                 &format!(
                     "UTC to the millisecond with what is known of its quality; {synchronised} of {n} synchronised"
                 ),
                 true,
+                &is_synchronised,
             ),
             "that the time source was right",
             "run a time service; set granularity and tolerance",
         ),
         (
             "AU-9, AU-9(3) Protection of audit information",
-            all(&format!("every record signed and chained; {anchored}"), pass),
+            of(&format!("every record signed and chained; {anchored}"), pass, &|s| {
+                report.anchored_through.is_none_or(|a| s.predicate.chain.seq <= a)
+            }),
             "records after the last checkpoint that was kept elsewhere",
             "keep checkpoints where the ledger's owner cannot change them; storage, backups, who may delete",
         ),
@@ -82,7 +98,7 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "SI-7, SI-7(1) Software, firmware and information integrity",
-            all(
+            of(
                 &format!(
                     "{} of {} outputs and {} of {} inputs equal their digests; {} of network weights",
                     c.outputs_verified,
@@ -92,6 +108,7 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
                     count(weights, "pin")
                 ),
                 pass,
+                &|s| is_of_files(s) || s.predicate.event.kind == "verify.run",
             ),
             "objects that were not given to this verification",
             "when to verify, and what to do about a finding",
@@ -111,7 +128,9 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "MP-3, AC-16 Media marking, security attributes",
-            all("one marking in and beside every output, never below its inputs'", pass),
+            of("one marking in and beside every output, never below its inputs'", pass, &|s| {
+                !s.subject.is_empty() || s.predicate.event.kind == "marking.refused"
+            }),
             "that the classification decision was right",
             "the decision itself; labels of physical media",
         ),
@@ -138,17 +157,28 @@ pub(super) fn matrix(evidence: &Evidence<'_>, records: &[Statement]) -> Section 
         ),
         (
             "HIPAA 45 CFR 164.312(b) Audit controls",
-            all("activity on each file by digest; no picture and no metadata of it stands in a record", true),
+            of("activity on each file by digest; no picture and no metadata of it stands in a record", true, &is_of_files),
             "whether a photo is protected health information",
             "decide that; review procedure",
         ),
     ];
     let rows = rows
         .into_iter()
-        .map(|(control, found, not, duty)| vec![control.to_owned(), found, not.to_owned(), duty.to_owned()])
+        .map(|(control, found, not, duty)| vec![control.into(), found, not.into(), duty.into()])
         .collect();
     let head = vec!["Control", "Evidence found", "Not shown", "The organisation's duty"];
     Section { title: "Controls", blocks: vec![Block::Table { head, rows }] }
+}
+
+/// Something was read or written.
+fn is_of_files(s: &Statement) -> bool {
+    let made = !s.subject.is_empty() && s.predicate.event.outcome == Outcome::Success;
+    made || !s.predicate.inputs.is_empty()
+}
+
+/// Of accounts, sessions and refusals of `orb serve`.
+fn is_of_accounts(p: &Predicate) -> bool {
+    ["account.", "session.", "access."].iter().any(|kind| p.event.kind.starts_with(kind))
 }
 
 fn count(n: usize, what: &str) -> String {

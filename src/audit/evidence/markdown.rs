@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::cell::{Cell, Piece};
 use super::{Block, Document, visible};
 
 pub(super) fn render(document: &Document) -> String {
@@ -25,10 +26,16 @@ pub(super) fn render(document: &Document) -> String {
                         }
                     }
                 }
+                Block::Timeline(timeline) => {
+                    out.push('\n');
+                    for line in timeline.words() {
+                        let _ = writeln!(out, "* {}", escaped(&line));
+                    }
+                }
                 Block::Table { head, rows } => {
                     let _ = write!(out, "\n| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
                     for row in rows {
-                        let cells: Vec<String> = row.iter().map(|cell| escaped(cell)).collect();
+                        let cells: Vec<String> = row.iter().map(written).collect();
                         let _ = writeln!(out, "| {} |", cells.join(" | "));
                     }
                 }
@@ -37,6 +44,15 @@ pub(super) fn render(document: &Document) -> String {
     }
     let _ = write!(out, "\n**{}**\n", document.banner);
     out
+}
+
+fn written(cell: &Cell) -> String {
+    let place = cell.place_of.map(|n| format!("<a id=\"record-{n}\"></a>")).unwrap_or_default();
+    let pieces = cell.pieces().into_iter().map(|piece| match piece {
+        Piece::Words(words) => escaped(&words),
+        Piece::Record(n) => format!("[{n}](#record-{n})"),
+    });
+    std::iter::once(place).chain(pieces).collect()
 }
 
 /// What Markdown would read as its own, and HTML that it would pass on.

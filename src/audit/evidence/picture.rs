@@ -9,7 +9,7 @@ use super::html::escaped;
 use super::lineage::{Item, Lineage};
 
 /// Units of the picture; shown at its own size one is a CSS pixel.
-const WIDTH: f64 = 1060.0;
+pub(super) const WIDTH: f64 = 1060.0;
 const MARGIN: f64 = 16.0;
 const BOX: f64 = 296.0;
 const PAD: f64 = 10.0;
@@ -17,7 +17,7 @@ const PAD: f64 = 10.0;
 const GAP: f64 = 12.0;
 /// From one line of text to the next.
 const NAME_STEP: f64 = 18.0;
-const LINE_STEP: f64 = 16.0;
+pub(super) const LINE_STEP: f64 = 16.0;
 const BANNER: f64 = 30.0;
 const HEADING: f64 = 24.0;
 /// Characters of a name and of a line that fit a box: 13 and 11.5 units high, 0.6 of that wide.
@@ -164,7 +164,7 @@ fn words(out: &mut String, one: &Laid<'_>, x: f64, y: f64) {
     }
 }
 
-fn text(out: &mut String, x: f64, y: f64, class: &str, words: &str) {
+pub(super) fn text(out: &mut String, x: f64, y: f64, class: &str, words: &str) {
     let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
     let _ = writeln!(out, "<text x=\"{x}\" y=\"{y:.1}\"{class}>{}</text>", escaped(words));
 }
@@ -185,7 +185,7 @@ fn arrow(out: &mut String, [x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) {
 }
 
 /// Lines of at most `cells` characters' width, at most `most` of them; what is too long loses its middle.
-fn broken(text: &str, cells: usize, most: usize) -> Vec<String> {
+pub(super) fn broken(text: &str, cells: usize, most: usize) -> Vec<String> {
     let mut text = text.to_owned();
     if width(&text) > cells * most {
         let half = (cells * most - 1) / 2;

@@ -5,9 +5,11 @@ use super::*;
 use crate::audit::TrustStore;
 use crate::audit::keys::tests::shared_key;
 use crate::audit::publication::tests::publish;
+use crate::audit::statement::{Input, Model};
+use crate::audit::time::Source;
 use crate::audit::verify::{Request, read_record, verify};
 
-const NOW_MS: u64 = 1_763_700_000_000;
+pub(super) const NOW_MS: u64 = 1_763_700_000_000;
 
 pub(super) fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl FnOnce(&Evidence<'_>)) {
     let dir = tempfile::tempdir().unwrap();
@@ -20,7 +22,15 @@ pub(super) fn with_report(trusted: bool, spoil: impl FnOnce(&Path), look: impl F
     }
     let report = verify(&Request::new(&folder, &trust, NOW_MS)).unwrap();
     let records = [read_record(&folder).unwrap().1];
-    look(&Evidence { report: &report, records: &records, folder: Some(&folder), as_of_ms: NOW_MS });
+    look(&Evidence {
+        report: &report,
+        records: &records,
+        folder: Some(&folder),
+        trust: &trust,
+        chains: &[],
+        allowed: None,
+        as_of_ms: NOW_MS,
+    });
 }
 
 #[test]
@@ -177,7 +187,12 @@ fn changed(change: impl Fn(&mut Statement)) -> (String, String) {
 
 /// The picture alone, and every text in it; it must be XML, and nothing but shapes and words.
 fn picture(html: &str) -> (String, Vec<String>) {
-    let start = html.find("<figure class=\"lineage\">\n<div>").unwrap() + "<figure class=\"lineage\">\n<div>".len();
+    picture_of("lineage", html)
+}
+
+pub(super) fn picture_of(class: &str, html: &str) -> (String, Vec<String>) {
+    let head = format!("<figure class=\"{class}\">\n<div>");
+    let start = html.find(&head).unwrap() + head.len();
     let svg = &html[start..start + html[start..].find("</div>").unwrap()];
     let mut reader = Reader::from_str(svg);
     reader.config_mut().check_end_names = true;
@@ -218,7 +233,7 @@ fn picture(html: &str) -> (String, Vec<String>) {
             }
             other => panic!("{other:?}"),
         };
-        assert!(["svg", "title", "desc", "text", "rect", "path"].contains(&name.as_str()), "{name}");
+        assert!(["svg", "g", "title", "desc", "text", "rect", "path"].contains(&name.as_str()), "{name}");
     }
     assert_eq!(depth, 0);
     (svg.to_owned(), words)

@@ -97,6 +97,35 @@ impl CertChain {
     pub fn operator(&self) -> &str {
         &self.operator
     }
+
+    /// What each certificate says of itself, leaf first.
+    pub fn validities(&self) -> Vec<Validity> {
+        self.der.iter().filter_map(|der| Validity::of(der).ok()).collect()
+    }
+}
+
+/// Whose certificate it is, and from when to when it is good.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Validity {
+    /// RFC 4514.
+    pub subject: String,
+    pub sha256: String,
+    /// Milliseconds since 1970; both ends belong to it (RFC 5280 §4.1.2.5).
+    pub not_before_ms: u64,
+    pub not_after_ms: u64,
+}
+
+impl Validity {
+    fn of(der: &[u8]) -> Result<Validity, String> {
+        let tbs = parse(der)?.tbs_certificate;
+        let ms = |t: x509_cert::time::Time| u64::try_from(t.to_unix_duration().as_millis()).unwrap_or(u64::MAX);
+        Ok(Validity {
+            subject: tbs.subject.to_string(),
+            sha256: sha256_hex(der),
+            not_before_ms: ms(tbs.validity.not_before),
+            not_after_ms: ms(tbs.validity.not_after),
+        })
+    }
 }
 
 /// An authority that is trusted to say whose key it is.
@@ -122,6 +151,11 @@ impl Authority {
 
     pub fn sha256(&self) -> String {
         sha256_hex(&self.der)
+    }
+
+    /// What the certificate says of itself; `None` for one that cannot be read.
+    pub fn validity(&self) -> Option<Validity> {
+        Validity::of(&self.der).ok()
     }
 }
 

@@ -9,7 +9,7 @@ use crate::audit::disk::Disk;
 use crate::audit::events::{self, Happened};
 use crate::audit::keys::KeySource;
 use crate::audit::ledger_check::{self, LedgerRequest};
-use crate::audit::{DataFolder, Ledger, Marking, Policy, SigningKey, TrustStore, archive, time};
+use crate::audit::{DataFolder, Ledger, Marking, Policy, SigningKey, TrustStore, allowed, archive, time};
 use crate::cli::argv;
 use crate::cli::key::KeyArgs;
 use crate::{Error, Result};
@@ -107,7 +107,7 @@ pub fn run(args: &LedgerArgs, data: &DataFolder) -> Result<Outcome> {
 }
 
 fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
-    let models = args.models.as_deref().map(super::weights_list).transpose()?;
+    let models = args.models.as_deref().map(allowed::read).transpose()?;
     let report = ledger_check::verify_ledger(&LedgerRequest {
         ledger: &ledger_path(args.ledger.as_deref(), data),
         trust: &TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?,

@@ -6,18 +6,18 @@ mod report;
 mod timestamp;
 mod trust;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use crate::audit::events;
+use crate::audit::by_hand;
 use crate::audit::keys::{self, Algorithm, Bits, Passphrase, Suite};
 use crate::audit::report::Verdict;
 use crate::audit::sbom;
 use crate::audit::statement::RECORD_SCHEMA;
 use crate::audit::verify::{self, Request};
 use crate::audit::{DataFolder, Policy, TrustStore, time};
-use crate::audit::{by_hand, disk};
+use crate::audit::{allowed, events};
 use crate::cli::argv;
 use crate::cli::key::PassphraseSource;
 use crate::{Error, Result};
@@ -182,7 +182,7 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
         return Ok(Outcome { text: by_hand::openssl_commands(&args.folder, beside)?, exit_code: 0 });
     }
     let trust = TrustStore::load(data, &args.trust_key)?.expect(args.trust_store.as_deref())?;
-    let models = args.models.as_deref().map(weights_list).transpose()?;
+    let models = args.models.as_deref().map(allowed::read).transpose()?;
     let report = verify::verify(&Request {
         inputs: &args.input,
         weights: &args.weights,
@@ -241,16 +241,6 @@ pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
         text.push_str(&format!("\n{}:\n{}", ledger.display(), events::list(&ledger)?));
     }
     Ok(Outcome { text, exit_code: 0 })
-}
-
-/// The first word of each line, as `sha256sum` writes them.
-fn weights_list(path: &Path) -> Result<Vec<String>> {
-    let bytes = disk::read_limited(path, 1 << 20)?;
-    let words = String::from_utf8_lossy(&bytes)
-        .lines()
-        .filter_map(|l| l.split_whitespace().next().map(str::to_owned))
-        .collect();
-    Ok(words)
 }
 
 pub fn keygen(args: &KeygenArgs, data: &DataFolder) -> Result<Outcome> {

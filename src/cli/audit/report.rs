@@ -15,8 +15,9 @@ use crate::audit::marking::handling::Handling;
 use crate::audit::publication::RECORD;
 use crate::audit::report::Report;
 use crate::audit::statement::{Input, Param, Statement};
+use crate::audit::trust::{self, CertChain};
 use crate::audit::verify::{Request, read_record, verify};
-use crate::audit::{DataFolder, Ledger, Marking, Policy, TrustStore, events, record, time};
+use crate::audit::{DataFolder, Ledger, Marking, Policy, TrustStore, allowed, events, ledger, record, time};
 use crate::cli::argv;
 use crate::cli::sealed::{Evidence as Sealing, PublishArgs, SealedRun};
 use crate::{Error, Result};
@@ -72,6 +73,9 @@ struct Verified {
     as_of_ms: u64,
     /// What was verified, as an input of a signed report.
     read: Option<Input>,
+    trust: TrustStore,
+    chains: Vec<CertChain>,
+    allowed: Option<Vec<String>>,
 }
 
 /// Writes the report. The exit code is the verification's.
@@ -97,20 +101,21 @@ fn verified(args: &ReportArgs, data: &DataFolder) -> Result<Verified> {
             Error::usage("--as-of").expected("a time like 2026-11-21T08:00:00.000Z").found(format!("{text:?}"))
         })?,
     };
-    let trust = &TrustStore::load(data, &args.trust_key)?;
-    let models = args.models.as_deref().map(super::weights_list).transpose()?;
-    let policy = Policy { models: models.as_deref(), ..Policy::default() };
+    let trust = TrustStore::load(data, &args.trust_key)?;
+    let allowed = args.models.as_deref().map(allowed::read).transpose()?;
+    let policy = Policy { models: allowed.as_deref(), ..Policy::default() };
     if let Some(folder) = &args.folder {
-        let request = Request { inputs: &args.input, policy, ..Request::new(folder, trust, as_of_ms) };
+        let request = Request { inputs: &args.input, policy, ..Request::new(folder, &trust, as_of_ms) };
         let (report, records) = (verify(&request)?, vec![read_record(folder)?.1]);
         let bytes = disk::read_limited(&folder.join(RECORD), MAX_ENVELOPE_BYTES as u64)?;
         let read = Some(record::input(RECORD, &bytes, "application/json", "record", None));
-        return Ok(Verified { report, records, as_of_ms, read });
+        let chains = trust::chains_in(folder)?;
+        return Ok(Verified { report, records, as_of_ms, read, trust, chains, allowed });
     }
     let ledger = ledger_path(None, data);
     let request = LedgerRequest {
         ledger: &ledger,
-        trust,
+        trust: &trust,
         checkpoints: &args.checkpoint,
         require_anchor: false,
         now_ms: as_of_ms,
@@ -128,12 +133,14 @@ fn verified(args: &ReportArgs, data: &DataFolder) -> Result<Verified> {
     };
     // A chain that is broken has no facts to show beside its findings.
     let (report, records) = (verify_ledger(&request)?, Ledger::at(ledger.clone()).read_chain().unwrap_or_default());
-    Ok(Verified { report, records, as_of_ms, read })
+    let chains = trust::chains_in(&ledger::chains_beside(&ledger))?;
+    Ok(Verified { report, records, as_of_ms, read, trust, chains, allowed })
 }
 
 fn written(form: Form, args: &ReportArgs, verified: &Verified) -> Result<String> {
-    let Verified { report, records, as_of_ms, .. } = verified;
-    let evidence = Evidence { report, records, folder: args.folder.as_deref(), as_of_ms: *as_of_ms };
+    let Verified { report, records, as_of_ms, trust, chains, allowed, .. } = verified;
+    let (folder, allowed) = (args.folder.as_deref(), allowed.as_deref());
+    let evidence = Evidence { report, records, folder, trust, chains, allowed, as_of_ms: *as_of_ms };
     Ok(match form {
         Form::Html => to_html(&evidence)?,
         Form::Markdown => to_markdown(&evidence)?,
@@ -274,6 +281,38 @@ mod tests {
         }
         std::fs::write(dir.path().join("out/scene.ply"), "changed").unwrap();
         assert_eq!(export("oscal"), (1, None), "nothing is exported that does not verify");
+    }
+
+    /// `--models`: a list with the network that ran, one without it, and files that are no lists.
+    #[test]
+    fn a_report_against_a_list_of_networks() {
+        let dir = tempfile::tempdir().unwrap();
+        publish(dir.path());
+        let data = DataFolder::at(dir.path().join("data"));
+        let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+        let (out, key) = (path("out"), path("out/orb-record.pub.pem"));
+        let report = |what: &[&str], list: &str| {
+            std::fs::write(path("list.txt"), list).unwrap();
+            let (file, list) = (path("report.md"), path("list.txt"));
+            let _ = std::fs::remove_file(&file);
+            let words = ["report", "-o", &file, "--trust-key", &key, "--format", "markdown", "--models", &list];
+            run(&Line::try_parse_from([&words, what].concat()).unwrap().args, &data)
+                .map(|done| (done.exit_code, std::fs::read_to_string(file).unwrap()))
+        };
+        let used = crate::audit::canonical::sha256_hex(b"w");
+        let other = crate::audit::canonical::sha256_hex(b"v");
+        for what in [&[out.as_str()][..], &[]] {
+            let (exit_code, text) = report(what, &format!("{other}  other.rten\n{used}  scene.rten\n")).unwrap();
+            assert!(exit_code == 0 && text.contains("| scene | ran | yes |"), "{what:?}: {text}");
+            assert!(!text.contains("MODEL") && text.contains("| colmap | not-used |  |"), "{what:?}: {text}");
+            let (exit_code, text) = report(what, &other).unwrap();
+            assert!(exit_code == 4 && text.contains("MODEL\\_NOT\\_ALLOWED"), "{what:?}: {text}");
+            assert!(text.contains("| scene | ran | no |") && text.contains("REFUSED"), "{what:?}: {text}");
+            let error = report(what, &format!("{used}\nscene.rten\n")).unwrap_err();
+            assert!(error.subject.ends_with("list.txt, line 2") && error.kind == crate::Kind::Usage, "{error}");
+            assert_eq!(error.found, "\"scene.rten\"");
+            assert!(error.expected.contains("64 hexadecimal digits") && !dir.path().join("report.md").exists());
+        }
     }
 
     /// A signed report is a product: it verifies, with Orb and without, and one byte less or another marking does not.
