@@ -222,6 +222,6 @@ fn table<C: Into<Cell>>(title: &'static str, head: Vec<&'static str>, rows: Vec<
 }
 
 #[cfg(test)]
-mod ledger_tests;
-#[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_of_ledgers;
