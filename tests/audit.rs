@@ -87,7 +87,7 @@ fn a_record_dated_by_a_server() {
     assert_eq!((time["stratum"].as_u64(), time["reference"].as_str()), (Some(1), Some(&*format!("{server} (GPS)"))));
     let off = time["offset_us"].as_i64().unwrap() - 3_600_000_000;
     assert!(off.abs() < 2_000_000, "{off} µs besides the hour");
-    assert_eq!(record["schema_minor"], 5);
+    assert_eq!(record["schema_minor"], 6);
     assert!(!record.to_string().contains(dir.path().to_str().unwrap()), "an absolute path in {record}");
 }
 

@@ -76,7 +76,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
 pub fn marking(name: &str, bytes: &[u8]) -> Result<Option<Marking>> {
     match read(name, bytes) {
         Carried::Banners(banners) => {
-            let all = banners.iter().map(|b| Marking::parse(b)).collect::<Result<Vec<_>>>()?;
+            let all = banners.iter().map(|b| Marking::read(b)).collect::<Result<Vec<_>>>()?;
             Ok(Some(Marking::join_all(&all)))
         }
         Carried::Nothing { .. } | Carried::NoCarrier => Ok(None),
@@ -220,7 +220,7 @@ fn words_in(bytes: &[u8]) -> Vec<String> {
     let text = bytes.split(|b| *b == 0).next().unwrap_or_default();
     let plain = text.split(|b| b"\n\r<>".contains(b)).filter_map(|word| {
         let word = std::str::from_utf8(word).ok()?.trim();
-        Marking::parse(word).is_ok().then(|| word.to_owned())
+        Marking::read(word).is_ok().then(|| word.to_owned())
     });
     plain.chain(lines_in(text)).collect()
 }

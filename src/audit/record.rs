@@ -68,7 +68,7 @@ impl RecordDraft {
     pub fn inputs_join(&self) -> Result<Option<Marking>> {
         let mut join: Option<Marking> = None;
         for banner in self.inputs.iter().filter_map(|i| i.marking.as_deref()) {
-            let level = Marking::parse(banner)?;
+            let level = Marking::read(banner)?;
             join = Some(join.map_or_else(|| level.clone(), |j| j.join(&level)));
         }
         Ok(join)
@@ -142,7 +142,7 @@ pub fn compose(
     draft.check_marking()?;
     let id = uuid_v7(draft.time.unix_ms, draft.event_random);
     let fingerprint = key.public().fingerprint().to_owned();
-    let Handling { marking, profile, raised_reason, authority, designation } = draft.handling.clone();
+    let Handling { marking, profile, raised_reason, authority, designation, register } = draft.handling.clone();
     let chain = place.unwrap_or_else(|| Chain {
         ledger_id: ledger_id(&id, &fingerprint),
         seq: 0,
@@ -197,6 +197,7 @@ pub fn compose(
                 raised_reason,
                 authority,
                 cui_block: designation,
+                country_register: register,
             },
             retention_hint: by.retention_hint.clone(),
             notes: draft.notes.clone(),

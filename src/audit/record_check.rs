@@ -246,7 +246,12 @@ pub(super) fn check_fields(
 fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
     let block = &statement.predicate.marking;
     let unsupported = |field: &str, text: &str| Finding::new("MARKING_UNSUPPORTED", field).actual(text);
-    let Ok(marking) = Marking::parse(&block.banner) else {
+    // Codes beyond Orb's own lists are as the record says that its operator's register has them.
+    let known = |m: &Marking| {
+        m.unlisted_codes().iter().all(|code| block.country_register.as_ref().is_some_and(|r| r.has(code)))
+    };
+    let read = |text: &str| Marking::read(text).ok().filter(|m| known(m));
+    let Some(marking) = read(&block.banner) else {
         found.push(unsupported("marking.banner", &block.banner));
         return;
     };
@@ -261,12 +266,12 @@ fn check_marking(statement: &Statement, found: &mut Vec<Finding>) {
     let sources =
         statement.predicate.inputs.iter().filter_map(|i| i.marking.as_deref()).chain(block.inputs_join.as_deref());
     for text in sources {
-        match Marking::parse(text) {
-            Err(_) => found.push(unsupported("inputs.marking", text)),
-            Ok(input) if !marking.covers(&input) => found.push(
+        match read(text) {
+            None => found.push(unsupported("inputs.marking", text)),
+            Some(input) if !marking.covers(&input) => found.push(
                 Finding::new("MARKING_DOWNGRADE", "marking.banner").expected(input.banner()).actual(marking.banner()),
             ),
-            Ok(_) => {}
+            Some(_) => {}
         }
     }
 }

@@ -11,6 +11,7 @@ use super::canonical::{self, Fault, Json};
 use super::keys::SigningKey;
 use super::marking::Marking;
 use super::marking::authority::{Authority, Designation};
+use super::marking::register::CountryRegister;
 pub use super::marking::{Ism, Profile};
 pub use super::program::{Crypto, Tool};
 use super::time;
@@ -22,7 +23,7 @@ pub const STATEMENT_TYPE: &str = "https://in-toto.io/Statement/v1";
 pub const PREDICATE_TYPE: &str = "https://orb.invalid/orb/audit-record/v1";
 pub const SCHEMA: &str = "orb.audit/v1";
 /// Of the records that this program writes. It reads those of every minor version: later ones only add fields.
-pub const SCHEMA_MINOR: u32 = 5;
+pub const SCHEMA_MINOR: u32 = 6;
 /// JSON Schema (draft 2020-12) of a record's payload.
 pub const RECORD_SCHEMA: &str = include_str!("../../docs/record.schema.json");
 /// `chain.prev` of a ledger's first record.
@@ -326,6 +327,10 @@ pub struct MarkingBlock {
     /// Designation indicator block of CUI; since minor version 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cui_block: Option<Designation>,
+    /// Country codes of the markings here that Orb does not list, and the digest of the operator's register that does; since
+    /// minor version 6.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub country_register: Option<CountryRegister>,
 }
 
 impl Statement {
@@ -383,7 +388,7 @@ impl Statement {
 
     /// The marking of the product.
     pub fn marking(&self) -> Option<Marking> {
-        Marking::parse(&self.predicate.marking.banner).ok()
+        Marking::read(&self.predicate.marking.banner).ok()
     }
 
     fn check_values(&self) -> Result<(), String> {
@@ -410,6 +415,10 @@ impl Statement {
         hex("chain.ledger_id", &p.chain.ledger_id, 16)?;
         hex("chain.prev", &p.chain.prev, 64)?;
         hex("trail_hash", p.trail_hash.as_deref().unwrap_or_default(), 64)?;
+        if let Some(register) = &p.marking.country_register {
+            hex("marking.country_register.sha256", &register.sha256, 64)?;
+            register.check()?;
+        }
         for sha256 in p.actor.cert_chain_sha256.iter().flatten() {
             hex("actor.cert_chain_sha256", sha256, 64)?;
         }

@@ -1,5 +1,7 @@
 //! The options that mark a product, for every verb that publishes one.
 
+use std::path::PathBuf;
+
 use clap::Args;
 
 use crate::audit::Marking;
@@ -8,6 +10,7 @@ use crate::audit::marking::Level;
 use crate::audit::marking::Profile;
 use crate::audit::marking::authority::{Authority, Designation};
 use crate::audit::marking::handling::{Handling, Request};
+use crate::audit::marking::register::CountryRegister;
 use crate::audit::statement::MarkingBlock;
 use crate::{Error, Result};
 
@@ -26,6 +29,10 @@ pub struct MarkingArgs {
     /// Why the product is marked above its inputs.
     #[arg(long, value_name = "TEXT", help_heading = "Marking")]
     pub raise_reason: Option<String>,
+
+    /// Country codes for REL TO and DISPLAY ONLY beyond ISO 3166, ACGU, FVEY and TEYE, one at the beginning of each line.
+    #[arg(long, value_name = "FILE", help_heading = "Marking")]
+    pub country_register: Option<PathBuf>,
 
     /// Who classified the product, with position and office; needed for classified work, with the next two.
     #[arg(long, value_name = "TEXT", help_heading = "Marking")]
@@ -75,6 +82,7 @@ impl MarkingArgs {
             raised_reason: self.raise_reason.clone(),
             authority: self.authority(utc)?,
             designation: self.designation(),
+            register: self.country_register.as_deref().map(CountryRegister::read).transpose()?,
         };
         let handling = request.decide(inputs.iter().map(Option::as_ref))?;
         let written = self.classification.as_deref().filter(|text| *text != handling.marking.banner());
@@ -101,12 +109,12 @@ impl MarkingArgs {
     pub fn decide_like(&self, of: &MarkingBlock, inputs: &[Option<Marking>], utc: &str) -> Result<Handling> {
         let MarkingArgs { classification, raise_reason, classified_by, derived_from, declassify_on, .. } = self;
         let said = [classification, raise_reason, classified_by, derived_from, declassify_on, &self.cui_controlled_by];
-        if said.iter().any(|option| option.is_some()) || !self.source.is_empty() {
+        if said.iter().any(|option| option.is_some()) || !self.source.is_empty() || self.country_register.is_some() {
             return self.decide(inputs, utc);
         }
         let authority = of.authority.clone().map(|a| Authority { date_of_origin: day(utc), ..a });
-        let request =
-            Request { profile: of.profile, authority, designation: of.cui_block.clone(), ..Request::default() };
+        let (designation, register) = (of.cui_block.clone(), of.country_register.clone());
+        let request = Request { profile: of.profile, authority, designation, register, ..Request::default() };
         request.decide(inputs.iter().map(Option::as_ref))
     }
 

@@ -1,6 +1,7 @@
 //! From what the operator asks for and what the inputs carry to what a product is marked, and why.
 
 use super::authority::{Authority, Designation};
+use super::register::CountryRegister;
 use super::{Marking, Profile};
 use crate::{Error, Result};
 
@@ -14,6 +15,8 @@ pub struct Request {
     pub raised_reason: Option<String>,
     pub authority: Option<Authority>,
     pub designation: Option<Designation>,
+    /// Country codes beyond those that Orb lists.
+    pub register: Option<CountryRegister>,
 }
 
 /// A product's marking with everything that belongs to it.
@@ -24,12 +27,14 @@ pub struct Handling {
     pub raised_reason: Option<String>,
     pub authority: Option<Authority>,
     pub designation: Option<Designation>,
+    /// Of the user's register the codes that the product or an input is marked with.
+    pub register: Option<CountryRegister>,
 }
 
 impl From<Marking> for Handling {
     fn from(marking: Marking) -> Self {
         let profile = Profile::Dod;
-        Handling { marking, profile, raised_reason: None, authority: None, designation: None }
+        Handling { marking, profile, raised_reason: None, authority: None, designation: None, register: None }
     }
 }
 
@@ -37,18 +42,20 @@ impl Request {
     /// The marking of a product made of `inputs`, each with the marking that it carries.
     ///
     /// # Errors
-    /// [`crate::Kind::Policy`]: `MARKING_UNSUPPORTED`; `MARKING_DOWNGRADE` below an input's; `MARKING_REASON_REQUIRED` above
+    /// [`crate::Kind::Policy`]: `MARKING_UNSUPPORTED`, also for a country code that is on no list; `MARKING_DOWNGRADE` below an input's; `MARKING_REASON_REQUIRED` above
     /// them without a reason; `AUTHORITY_REQUIRED` for classified work without its authority block; `AUTHORITY_INVALID`.
     pub fn decide<'a>(self, inputs: impl IntoIterator<Item = Option<&'a Marking>>) -> Result<Handling> {
         let carried: Vec<&Marking> = inputs.into_iter().flatten().collect();
         let join = Marking::join_all(carried.iter().copied());
         let marking = match &self.banner {
-            Some(text) => Marking::parse_for_output(text, self.profile)?,
+            Some(text) => Marking::read_for_output(text, self.profile)?,
             None => {
                 join.check_expressible(self.profile)?;
                 join.clone()
             }
         };
+        let used = carried.iter().copied().chain([&marking]);
+        let register = CountryRegister::used_by(self.register.as_ref(), used)?;
         check_not_below(&marking, &join)?;
         let raised = !carried.is_empty() && marking != join;
         let reason = self.raised_reason.filter(|r| !r.trim().is_empty());
@@ -63,6 +70,7 @@ impl Request {
             raised_reason: reason.filter(|_| raised),
             authority: self.authority,
             designation: self.designation,
+            register,
         };
         handling.check()?;
         Ok(handling)

@@ -7,6 +7,7 @@
 pub mod authority;
 pub mod handling;
 mod parse;
+pub mod register;
 mod release;
 
 use std::collections::BTreeSet;
@@ -149,21 +150,30 @@ impl Marking {
         }
     }
 
-    /// Reads a banner. Entries of one category may stand in another order than the Register's; [`Marking::banner`] gives
+    /// Reads a banner whose country codes Orb lists. Entries of one category may stand in another order than the Register's; [`Marking::banner`] gives
     /// them in order.
     ///
     /// # Errors
     /// [`crate::Kind::Policy`], `MARKING_UNSUPPORTED`: nothing is stripped, completed or guessed.
     pub fn parse(text: &str) -> Result<Marking> {
-        parse::banner(text)
+        parse::banner(text, parse::Codes::Listed)
+    }
+
+    /// As [`Marking::parse`], with any three or four capital letters for a country code: [`Marking::unlisted_codes`] are the
+    /// caller's to check, against a register of the user's or against what a record says of one.
+    ///
+    /// # Errors
+    /// As [`Marking::parse`].
+    pub fn read(text: &str) -> Result<Marking> {
+        parse::banner(text, parse::Codes::Any)
     }
 
     /// Reads the operator's banner, which must be one that `profile` can write.
     ///
     /// # Errors
-    /// As [`Marking::parse`] and [`Marking::check_expressible`].
-    pub fn parse_for_output(text: &str, profile: Profile) -> Result<Marking> {
-        let marking = Marking::parse(text)?;
+    /// As [`Marking::read`] and [`Marking::check_expressible`].
+    pub fn read_for_output(text: &str, profile: Profile) -> Result<Marking> {
+        let marking = Marking::read(text)?;
         marking.check_expressible(profile)?;
         Ok(marking)
     }
@@ -306,6 +316,12 @@ impl Marking {
     /// True where a key made silently on a first run is not good enough.
     pub fn needs_named_key(&self) -> bool {
         *self != Marking::UNCLASSIFIED
+    }
+
+    /// Country codes that Orb does not list, sorted.
+    pub fn unlisted_codes(&self) -> Vec<&str> {
+        let codes: BTreeSet<&str> = self.release.codes().filter(|code| !parse::is_listed(code)).collect();
+        codes.into_iter().collect()
     }
 
     /// Categories of CUI that Orb's list of marks does not hold.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::register::is_code;
 use super::release::{Audience, Release, is_group};
 use super::{Control, Level, Marking};
 use crate::{Error, Result};
@@ -64,9 +65,31 @@ pub(super) fn knows_category(mark: &str) -> bool {
     CUI_CATEGORIES.contains(&mark)
 }
 
+/// Which country codes are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Codes {
+    /// Those that Orb lists.
+    Listed,
+    /// Whatever has the shape of one.
+    Any,
+}
+
+/// True for a trigraph of ISO 3166 and for the groups that Orb knows.
+pub(super) fn is_listed(code: &str) -> bool {
+    code == "USA" || is_group(code) || TRIGRAPHS.split_ascii_whitespace().any(|t| t == code)
+}
+
 /// Reads a whole banner.
-pub(super) fn banner(text: &str) -> Result<Marking> {
-    read(text).map_err(|why| refused(text, &why))
+pub(super) fn banner(text: &str, codes: Codes) -> Result<Marking> {
+    let marking = read(text).map_err(|why| refused(text, &why))?;
+    match marking.unlisted_codes().first() {
+        Some(code) if codes == Codes::Listed => Err(refused(text, &no_code(code))),
+        _ => Ok(marking),
+    }
+}
+
+fn no_code(code: &str) -> String {
+    format!("country code `{code}`: an ISO 3166 trigraph, ACGU, FVEY or TEYE")
 }
 
 fn read(text: &str) -> std::result::Result<Marking, String> {
@@ -214,9 +237,8 @@ impl Entries {
 fn codes(list: &str) -> std::result::Result<BTreeSet<String>, String> {
     let mut all = BTreeSet::new();
     for code in list.split(", ") {
-        let known = code == "USA" || is_group(code) || TRIGRAPHS.split_ascii_whitespace().any(|t| t == code);
-        if !known {
-            return Err(format!("country code `{code}`: an ISO 3166 trigraph, ACGU, FVEY or TEYE"));
+        if !is_code(code) {
+            return Err(no_code(code));
         }
         if !all.insert(code.to_owned()) {
             return Err(format!("country code {code} twice"));

@@ -85,6 +85,15 @@ impl Release {
         }
     }
 
+    /// Every code but USA.
+    pub fn codes(&self) -> impl Iterator<Item = &str> {
+        let lists = match self {
+            Release::To(a) => Some(a.rel_to.iter().chain(&a.display)),
+            _ => None,
+        };
+        lists.into_iter().flatten().map(String::as_str)
+    }
+
     pub fn is_noforn(&self) -> bool {
         *self == Release::Noforn
     }

@@ -96,7 +96,7 @@ fn a_sealed_record_reads_back() {
         r#""role":"modeller""#,
         r#""retention_hint":"P6Y""#,
         r#""dirty":false"#,
-        r#""schema_minor":5"#,
+        r#""schema_minor":6"#,
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }
@@ -138,6 +138,7 @@ fn fits(schema: &serde_json::Value, value: &serde_json::Value) -> bool {
 #[test]
 fn records_follow_the_published_schema() {
     use crate::audit::marking::authority::Authority;
+    use crate::audit::marking::register::CountryRegister;
     let schema: serde_json::Value = serde_json::from_str(crate::audit::statement::RECORD_SCHEMA).unwrap();
     let value = |d: &RecordDraft| -> serde_json::Value {
         serde_json::from_slice(&sealed(d).unwrap().envelope.payload).unwrap()
@@ -154,6 +155,7 @@ fn records_follow_the_published_schema() {
             sources: vec!["A".into(), "B".into()],
         }),
         raised_reason: Some("compilation".into()),
+        register: Some(CountryRegister { sha256: sha256_hex(b"QQQ\n"), codes: vec!["QQQ".into()] }),
         ..Marking::parse("TOP SECRET//ORCON/REL TO USA, GBR//LIMDIS").unwrap().into()
     };
     for d in [draft(), full.clone()] {
@@ -170,7 +172,10 @@ fn records_follow_the_published_schema() {
         assert!(!fits(&schema, &value));
         assert!(Statement::parse(&canonical::to_vec(&value).unwrap()).is_err());
     }
-    let changes: [fn(&mut serde_json::Value); 9] = [
+    let changes: [fn(&mut serde_json::Value); 12] = [
+        |v| v["predicate"]["marking"]["country_register"]["name"] = "x".into(),
+        |v| v["predicate"]["marking"]["country_register"]["codes"] = "QQQ".into(),
+        |v| drop(v["predicate"]["marking"]["country_register"].as_object_mut().unwrap().remove("sha256")),
         |v| v["extra"] = 1.into(),
         |v| v["predicate"]["extra"] = 1.into(),
         |v| v["predicate"]["marking"]["authority"]["reason"] = "1.4(c)".into(),
@@ -252,7 +257,7 @@ fn unknown_and_repeated_fields_are_refused() {
         ("\"seed\":7", "\"seed\":7,\"seed\":8"),
         ("\"seed\":7", "\"seed\":7.0"),
         ("\"seed\":7", "\"seed\":null"),
-        ("\"schema_minor\":5", "\"schema_minor\":-1"),
+        ("\"schema_minor\":6", "\"schema_minor\":-1"),
         ("\"outcome\":\"success\"", "\"outcome\":\"maybe\""),
         ("\"seq\":0", "\"seq\":\"0\""),
         ("T01:29:42.120Z", "T01:29:42Z"),

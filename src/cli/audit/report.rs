@@ -189,7 +189,7 @@ fn handling(args: &ReportArgs, verified: &Verified) -> Result<Handling> {
             .found("MARKING_UNKNOWN: none")
             .advice("Get the signer's public key from the signer and name it with --trust-key, or write the report without --sign."));
     };
-    let (inputs, utc) = ([Some(Marking::parse(banner)?)], time::now()?.utc());
+    let (inputs, utc) = ([Some(Marking::read(banner)?)], time::now()?.utc());
     match (&args.folder, verified.records.as_slice()) {
         (Some(_), [record]) => args.publish.marking.decide_like(&record.predicate.marking, &inputs, &utc),
         _ => args.publish.marking.decide(&inputs, &utc),

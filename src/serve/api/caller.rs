@@ -117,7 +117,7 @@ impl Caller {
 
     /// Whether what is marked so may be shown to it.
     pub fn may_see(&self, server: &Server, marking: &str) -> bool {
-        Marking::parse(marking).is_ok_and(|m| self.ceiling.covers(&m) && server.ceiling.covers(&m))
+        Marking::read(marking).is_ok_and(|m| self.ceiling.covers(&m) && server.ceiling.covers(&m))
     }
 
     /// A job that this account may know of. Waits for the disk.
