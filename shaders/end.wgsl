@@ -1,7 +1,7 @@
 // End: keeps the books of an iteration and moves its camera. One workgroup of 256 threads.
 //
-// The camera's step is Adam's on a left-multiplied increment of world→camera, p' = exp(ω)·p + v; translations count in
-// units of the camera's distance from the origin.
+// The camera's step is Adam's on a left-multiplied increment of world→camera, p' = exp(ω)·(p − c) + c + v, c so far before the
+// camera as the step says; translations count in units of that depth, of the camera's distance from the origin where it is 0.
 
 // Adam's memory for one camera.
 struct Pose {
@@ -37,19 +37,20 @@ fn move_camera(shift_gradient: vec3<f32>, turn_gradient: vec3<f32>) {
     var camera = cameras[at];
     var pose = poses[at];
     let translation = vec3(camera.row0.w, camera.row1.w, camera.row2.w);
-    let distance = length(translation);
+    let c = vec3(0.0, 0.0, now.exposure.z);
+    let distance = select(length(translation), c.z, c.z > 0.0);
     let steps = pose.shift_m.w + 1.0;
-    let c = corrections[min(u32(steps), arrayLength(&corrections) - 1u)];
+    let corrected = corrections[min(u32(steps), arrayLength(&corrections) - 1u)];
     let g = shift_gradient * distance;
-    let h = turn_gradient;
+    let h = turn_gradient - cross(c, shift_gradient);
     let gm = 0.9 * pose.shift_m.xyz + 0.1 * g;
     let gv = 0.999 * pose.shift_v.xyz + 0.001 * g * g;
     let hm = 0.9 * pose.turn_m.xyz + 0.1 * h;
     let hv = 0.999 * pose.turn_v.xyz + 0.001 * h * h;
     poses[at] = Pose(vec4(gm, steps), vec4(hm, 0.0), vec4(gv, 0.0), vec4(hv, 0.0));
     let rate = now.more_rates.z;
-    let shift = -rate * distance * gm * c.x / (sqrt(gv * c.y) + 1e-15);
-    let by = -rate * hm * c.x / (sqrt(hv * c.y) + 1e-15);
+    let shift = -rate * distance * gm * corrected.x / (sqrt(gv * corrected.y) + 1e-15);
+    let by = -rate * hm * corrected.x / (sqrt(hv * corrected.y) + 1e-15);
     // Columns of the rotation turn; the rows are made orthonormal again, lest many small steps wear them off.
     let x = turned(by, vec3(camera.row0.x, camera.row1.x, camera.row2.x));
     let y = turned(by, vec3(camera.row0.y, camera.row1.y, camera.row2.y));
@@ -58,7 +59,7 @@ fn move_camera(shift_gradient: vec3<f32>, turn_gradient: vec3<f32>) {
     var r1 = vec3(x.y, y.y, z.y);
     r1 = normalize(r1 - dot(r0, r1) * r0);
     let r2 = cross(r0, r1);
-    let t = turned(by, translation) + shift;
+    let t = turned(by, translation - c) + c + shift;
     camera.row0 = vec4(r0, t.x);
     camera.row1 = vec4(r1, t.y);
     camera.row2 = vec4(r2, t.z);

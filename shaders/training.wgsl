@@ -15,7 +15,8 @@ struct Step {
     words: vec4<u32>,
     // Seed of MCMC's noise; 1 where the target is a picture of normals.
     more_words: vec4<u32>,
-    // Of the photo's exposure: step size (0: it has none), weight of its distance from none.
+    // Of the photo's exposure: step size (0: it has none), weight of its distance from none; how far before the camera the point
+    // lies about which its pose is turned.
     exposure: vec4<f32>,
     moving: Region,
 }

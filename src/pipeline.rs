@@ -160,7 +160,7 @@ pub fn finish(
     let options = splat::Options { seed: settings.seed, ..settled::options(fitted.report.iterations) };
     // Several photos show more sides themselves. All its steps or none, so that two runs are alike.
     if fitted.painting.is_empty() && options.iterations > 0 && !fitted.report.stopped_by_deadline {
-        let photo = Target { refine_pose: false, ..photo(&fitted.prior, fitted.cameras[0], settings.seed) };
+        let photo = Target { refine_pose: None, ..photo(&fitted.prior, fitted.cameras[0], settings.seed) };
         let gaussians = std::mem::take(&mut fitted.gaussians);
         let trained = settled::settle(gaussians, photo, &model.levels[0], fitter, &options, progress)?;
         (fitted.gaussians, settled) = (trained.gaussians, Some(trained.report));
@@ -317,7 +317,7 @@ fn optimise(
         color: m.color.clone(),
         alpha: m.mask.clone(),
         weight: 0.6,
-        refine_pose: true,
+        refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some(m.seen_directly.clone()),
         shown: Shown::Color,
@@ -328,7 +328,7 @@ fn optimise(
         color: uncomposited(frame),
         alpha: frame.alpha.clone(),
         weight,
-        refine_pose: false,
+        refine_pose: None,
         fit_exposure: false,
         held_back: None,
         shown: Shown::Color,
@@ -351,7 +351,7 @@ fn photo(prior: &OneView, camera: Camera, seed: u64) -> Target {
         color: prior.colour.clone(),
         alpha: prior.mask.data.clone(),
         weight: 1.0,
-        refine_pose: true,
+        refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some(held_back(prior.mask.width, seed)),
         shown: Shown::Color,

@@ -192,3 +192,31 @@ fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
     assert!(b.refused(&["train", &set, "--block", "1"]).contains("--blocks"));
     assert!(b.refused(&["train", &set, "--blocks", "2", "--exposure"]).contains("as a whole"));
 }
+
+#[test]
+fn refined_poses_are_published_and_taken_again() {
+    let b = Bench::new("1", "12", "96", &["--site", "--gps-noise", "0.2"]);
+    let set = b.text("sets/00_site");
+    let told: Value = serde_json::from_str(
+        &b.good(&[&["train", &set, "-o", "out", "--json", "--refine-poses", "--sky", "off"], &BRIEF[..]].concat()),
+    )
+    .unwrap();
+    let moved = &told["poses_refined"];
+    assert!(moved["most_deg"].as_f64().unwrap() > 0.0 && moved["most_shift"].as_f64().unwrap() < 0.2, "{moved}");
+    assert!(told["held_out_poses_fitted"]["psnr_db"].as_f64().unwrap() > 10.0);
+    // The model has no observations.
+    assert!(told["reprojection"]["before"].is_null() && told["reprojection"]["after"].is_null());
+    assert!(b.at("out/sparse/0/images.txt").is_file());
+    b.good(&["audit", "verify", "out"]);
+    let again: Value = serde_json::from_str(
+        &b.good(
+            &[
+                &["train", &set, "-o", "again", "--json", "--poses", &b.text("out/sparse/0"), "--sky", "off"],
+                &BRIEF[..],
+            ]
+            .concat(),
+        ),
+    )
+    .unwrap();
+    assert!(again["held_out_poses_fitted"].is_null() && again["trained_on"]["photos"] == 10, "{again}");
+}

@@ -23,8 +23,8 @@ use crate::audit::{DataFolder, record, time};
 use crate::export::{self, Labels};
 use crate::geo::{HeadingSource, Placement, ScaleSource};
 use crate::models::Graph;
-use crate::photos::dataset;
 use crate::photos::register::{self, Registration};
+use crate::photos::{colmap, dataset};
 use crate::pipeline::scene::ground::Filter;
 use crate::pipeline::scene::plan::Job;
 use crate::pipeline::scene::{self, Background, Cost, Scene, Sky, Source, Strategy};
@@ -117,6 +117,9 @@ pub struct Train {
     /// imagery.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(..=10_000))]
     pub models: u32,
+    /// Measure photos held out a second time, their poses fitted to the finished Gaussians; with --refine-poses always.
+    #[arg(long)]
+    pub fit_held_out: bool,
     /// LPIPS as ONNX, to measure that too: inputs `ref` and `dist`, 1×3×H×W, normalised as for ImageNet; output the distance.
     #[arg(long, value_name = "FILE.onnx")]
     pub lpips: Option<PathBuf>,
@@ -242,6 +245,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         random_points: args.init_points as usize,
         exposure: args.exposure,
         refine_poses: args.photos.refine_poses,
+        fit_held_out: args.fit_held_out,
         background: args.background,
         sky: match args.sky {
             SkyName::Auto => Sky::Auto,
@@ -312,6 +316,11 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         let near = g.filtered(|i| i < g.len() - done.sky);
         for file in export::splat_tree(&near, export::TILE_OF_SPLATS, &p.placement, &labels)? {
             sealed.publication.add(&file.path, &file.bytes, file.media_type, "gaussians")?;
+        }
+    }
+    if let Some(refined) = &done.refined {
+        for (name, text) in colmap::written(set.poses()?, &refined.poses, &refined.points) {
+            sealed.publication.add(&format!("sparse/0/{name}"), text.as_bytes(), "text/plain", "poses")?;
         }
     }
     let stored = match &placed {

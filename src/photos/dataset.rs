@@ -97,6 +97,7 @@ fn of_list(list: &Path) -> Result<Found> {
     let mut poses = Poses {
         photos: all.into_iter().map(|p| p.0).collect(),
         points,
+        observations: Vec::new(),
         source: format!("the list {}", list.display()),
         files: lists.into_iter().chain(points_file).collect(),
         notes,

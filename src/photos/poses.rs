@@ -34,6 +34,17 @@ impl Posed {
     }
 }
 
+/// A photo shows a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observation {
+    /// Among [`Poses::photos`].
+    pub photo: usize,
+    /// Among [`Poses::points`].
+    pub point: usize,
+    /// Pixels of the photo as it was taken, with its lens's distortion.
+    pub at: [f64; 2],
+}
+
 /// Photos of one thing, in a world whose scale, place and up are nobody's yet.
 #[derive(Clone, Debug)]
 pub struct Poses {
@@ -41,6 +52,8 @@ pub struct Poses {
     pub photos: Vec<Posed>,
     /// Triangulated points and their colours.
     pub points: Vec<(DVec3, [u8; 3])>,
+    /// Where the photos show the points; none where nobody says it.
+    pub observations: Vec<Observation>,
     /// What was read, for people: `the COLMAP model sparse/0`.
     pub source: String,
     /// The files that say it.
@@ -180,11 +193,21 @@ pub fn of_model(folder: &Path) -> Result<Poses> {
     if photos.is_empty() {
         return Err(Error::usage(folder.display().to_string()).expected("a model with images").found("none"));
     }
+    let numbers: BTreeMap<u64, usize> = model.points.iter().enumerate().map(|(n, p)| (p.id, n)).collect();
+    let observations = |(photo, image): (usize, &colmap::Image)| -> Vec<Observation> {
+        let of = |(at, id): &([f64; 2], Option<u64>)| {
+            let point = *numbers.get(id.as_ref()?)?;
+            Some(Observation { photo, point, at: *at })
+        };
+        image.observations.iter().filter_map(of).collect()
+    };
     let file =
         |stem: &str| ["bin", "txt"].map(|e| folder.join(format!("{stem}.{e}"))).into_iter().find(|p| p.is_file());
     Ok(Poses {
         photos,
         points: model.points.iter().map(|p| (p.position, p.color)).collect(),
+        // Every image has its camera, so that both lists are alike.
+        observations: model.images.iter().enumerate().flat_map(observations).collect(),
         source: format!("the COLMAP model {}", folder.display()),
         files: ["cameras", "images", "points3D"].into_iter().filter_map(file).collect(),
         notes: Vec::new(),
@@ -202,6 +225,7 @@ fn of_list(list: &Path) -> Result<Poses> {
     Ok(Poses {
         photos: transforms::read(list)?.into_iter().map(posed).collect(),
         points: Vec::new(),
+        observations: Vec::new(),
         source: format!("the list {}", list.display()),
         files: vec![list.to_owned()],
         notes: Vec::new(),
@@ -217,13 +241,16 @@ impl Poses {
         let by_stem: BTreeMap<String, &PathBuf> = photos.iter().map(|p| (stem(p), p)).collect();
         let posed = self.photos.len();
         let mut out = BTreeMap::new();
-        for photo in self.photos {
+        for (n, photo) in self.photos.into_iter().enumerate() {
             let written = Path::new(&photo.name);
             if let Some(file) = by_name.get(&last(written)).or_else(|| by_stem.get(&stem(written))) {
-                out.entry(last(file)).or_insert(Posed { name: last(file), file: (*file).clone(), ..photo });
+                out.entry(last(file)).or_insert((n, Posed { name: last(file), file: (*file).clone(), ..photo }));
             }
         }
-        self.photos = out.into_values().collect();
+        let now: BTreeMap<usize, usize> = out.values().enumerate().map(|(now, (n, _))| (*n, now)).collect();
+        self.observations =
+            self.observations.iter().filter_map(|o| Some(Observation { photo: *now.get(&o.photo)?, ..*o })).collect();
+        self.photos = out.into_values().map(|p| p.1).collect();
         let matched = self.photos.len();
         if matched < 2 {
             return Err(Error::usage(self.source)

@@ -5,6 +5,7 @@ mod begin;
 pub mod blocks;
 pub mod bodies;
 mod brightness;
+mod cameras;
 pub mod cost;
 pub mod ground;
 pub mod nadir;
@@ -27,12 +28,13 @@ use crate::progress::Progress;
 use crate::splat::render::Drawers;
 use crate::splat::train::exposure::{Change, NONE};
 use crate::splat::train::{Behind, Density, Kept, Rates, Region, train_kept};
-use crate::splat::{self, Camera, Gaussians, Report};
+use crate::splat::{self, Camera, Gaussians, Report, Target};
 use crate::{Error, Result};
 
 pub use crate::splat::train::Strategy;
 pub use begin::From;
 pub use blocks::Blocks;
+pub use cameras::{Errors, Refined};
 pub use cost::Cost;
 pub use pictures::Pictures;
 pub use score::{Role, Scores, View};
@@ -71,6 +73,8 @@ pub struct Options {
     /// Each photo's exposure is learnt.
     pub exposure: bool,
     pub refine_poses: bool,
+    /// Photos held out are measured a second time, their poses fitted to the Gaussians; where poses are refined, always.
+    pub fit_held_out: bool,
     pub background: Background,
     pub sky: Sky,
     /// Up in the cameras' world, where the Earth says it.
@@ -90,6 +94,7 @@ impl Default for Options {
             random_points: 100_000,
             exposure: false,
             refine_poses: false,
+            fit_held_out: false,
             background: Background::Auto,
             sky: Sky::Auto,
             up: None,
@@ -117,6 +122,11 @@ pub struct Scene {
     pub views: Vec<View>,
     pub trained: Scores,
     pub held_out: Scores,
+    /// The same with poses fitted to the Gaussians, where asked.
+    pub held_out_fitted: Option<Scores>,
+    /// Where poses were refined.
+    pub refined: Option<Refined>,
+    pub reprojection: Errors,
     pub behind: [f32; 3],
     pub report: Report,
     pub timings: Vec<Timing>,
@@ -174,6 +184,17 @@ pub fn fit(
 ) -> Result<Scene> {
     let mut clock = Clock::new();
     let (to_unit, up_by, ground) = unit_frame(source.poses, options.up, options.seed)?;
+    // What the photos' points say of poses comes first: it is exact where they have points, and training goes on from there.
+    let given = source.poses;
+    let is_held_out = |i: usize| source.held_out.get(i).copied().unwrap_or(false);
+    let adjusted = match options.refine_poses {
+        true => {
+            progress.begin("adjusting poses", 0);
+            cameras::adjusted(given, |i| !is_held_out(i))
+        }
+        false => None,
+    };
+    let source = &Source { poses: adjusted.as_ref().unwrap_or(given), ..*source };
     let pictures = pictures::read(source, &to_unit, options, progress)?;
     clock.lap("photos");
     let training = pictures.trained_on()?;
@@ -183,16 +204,39 @@ pub fn fit(
     clock.lap("first Gaussians");
     progress.check()?;
 
-    let schedule = schedule(options, extent, behind, training, begun_from);
+    let mut schedule = schedule(options, extent, behind, training, begun_from);
+    if adjusted.is_some() {
+        schedule.rates.pose *= ADJUSTED;
+    }
     let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
     let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
     brightness::settle(&mut trained.gaussians, &mut trained.exposures, &learnt);
+    let refined =
+        options.refine_poses.then(|| cameras::settled(&mut trained, &pictures.targets, given, source.poses, &to_unit));
+    let is_trained_on: Vec<bool> = pictures.targets.iter().map(|t| t.weight > 0.0).collect();
+    let reprojection = cameras::errors(given, refined.as_ref(), |i| is_trained_on[i]);
     clock.lap("optimisation");
 
     progress.begin("measuring", pictures.targets.len() as u64);
     let drawers = Drawers::new(&trained.gaussians);
     let (cameras, exposures) = (&trained.cameras, &trained.exposures);
+    let again = (options.refine_poses || options.fit_held_out).then(|| {
+        let held_out = |t: &&Target| t.weight <= 0.0;
+        pictures.targets.iter().filter(held_out).cloned().collect::<Vec<Target>>()
+    });
     let views = score::views(pictures.targets, &drawers, cameras, exposures, behind, lpips, progress)?;
+    let held_out_fitted = match again {
+        Some(targets) if !targets.is_empty() => {
+            let given: Vec<Camera> = targets.iter().map(|t| t.camera).collect();
+            let depths = cameras::depths(source.poses, &to_unit, &given);
+            let cameras =
+                cameras::fitted(fitter, &trained.gaussians, &targets, &depths, behind, options.seed, progress)?;
+            let exposures = vec![NONE; targets.len()];
+            let views = score::views(targets, &drawers, &cameras, &exposures, behind, lpips, progress)?;
+            Some(Scores::mean(views.iter().map(|v| &v.scores)))
+        }
+        _ => None,
+    };
     drop(drawers);
     clock.lap("measuring");
     let of = |role: Role| Scores::mean(views.iter().filter(|v| v.role == role).map(|v| &v.scores));
@@ -210,6 +254,9 @@ pub fn fit(
         views,
         trained: measured_trained,
         held_out: measured_held_out,
+        held_out_fitted,
+        refined,
+        reprojection,
         behind,
         report: trained.report,
         timings: clock.timings,
@@ -262,6 +309,15 @@ fn extent(eyes: impl Iterator<Item = glam::Vec3> + Clone) -> f32 {
     1.1 * eyes.map(|p| p.distance(middle)).fold(1e-3, f32::max)
 }
 
+/// Steps of poses that were adjusted are so much shorter: they are about right, and long steps at the start, when the Gaussians
+/// are not, would only shake them.
+const ADJUSTED: f32 = 0.1;
+/// How far a pose may go in all its steps, radians, and how long a step is at most and at least.
+const POSES_REACH: f32 = 0.04;
+const POSE_STEPS: [f32; 2] = [2e-4, 4e-3];
+/// The last step as a part of the first.
+const LAST_POSE_STEP: f32 = 0.01;
+
 /// The schedule of 30,000 iterations; a shorter run ends its growing half-way and begins it earlier.
 pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize, from: From) -> splat::Options {
     let full = splat::Options::default();
@@ -299,6 +355,9 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize,
             color: longer.sqrt() * rates.color,
             harmonics: longer * rates.harmonics,
             exposure: hurry * rates.exposure,
+            // The mean of steps that fall exponentially is (1 − share) / ln(1 / share) of the first.
+            pose: (POSES_REACH / turns.max(1.0) * LAST_POSE_STEP.recip().ln()).clamp(POSE_STEPS[0], POSE_STEPS[1]),
+            pose_share: LAST_POSE_STEP,
             ..rates
         },
         ..full

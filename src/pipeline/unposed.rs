@@ -107,7 +107,7 @@ pub fn search(
     }
     photos.sort_by(|a, b| a.name.cmp(&b.name));
     let source = format!("searched by silhouettes and colours against the network's Gaussians of {}", all[best].name);
-    Ok(Poses { photos, points: Vec::new(), source, files: Vec::new(), notes })
+    Ok(Poses { photos, points: Vec::new(), observations: Vec::new(), source, files: Vec::new(), notes })
 }
 
 fn too_few(found: usize, notes: &[String]) -> Error {

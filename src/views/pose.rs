@@ -56,7 +56,7 @@ fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress
         color: colour.to_vec(),
         alpha: alpha.to_vec(),
         weight: 1.0,
-        refine_pose: false,
+        refine_pose: None,
         fit_exposure: false,
         held_back: None,
         shown: Shown::Color,

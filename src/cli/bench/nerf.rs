@@ -26,7 +26,7 @@ pub fn targets(list: &Path) -> Result<(Vec<Target>, bool)> {
             color: picture.pixels().map(|p| [p[0], p[1], p[2]]).collect(),
             alpha: picture.pixels().map(|p| p[3]).collect(),
             weight: 1.0,
-            refine_pose: false,
+            refine_pose: None,
             fit_exposure: false,
             held_back: None,
             shown: Shown::Color,

@@ -258,7 +258,7 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
                 alpha: vec![1.0; frame.color.len()],
                 color: frame.color,
                 weight: 1.0,
-                refine_pose: false,
+                refine_pose: None,
                 fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,

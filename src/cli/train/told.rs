@@ -10,7 +10,8 @@ use super::{Placed, StrategyName, Train};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{Published, record};
 use crate::cli::photos::Set;
-use crate::pipeline::scene::{Cost, From, Options, Scene, Scores};
+use crate::photos::reprojection::Reprojection;
+use crate::pipeline::scene::{Cost, Errors, From, Options, Scene, Scores};
 
 /// What ran: the optimisation; COLMAP, where it did.
 pub fn models(done: &Scene, colmap: Option<&str>) -> Vec<Model> {
@@ -74,7 +75,19 @@ pub fn params(
         ("up_from".into(), text(done.up_by.label().into())),
         ("world_to_unit".into(), text(done.to_unit.to_string())),
     ]);
-    for (name, s) in [("trained", &done.trained), ("held_out", &done.held_out)] {
+    for (when, e) in [("before", done.reprojection.before), ("after", done.reprojection.after)] {
+        if let Some(e) = e {
+            all.insert(format!("reprojection_rms_px_{when}"), text(format!("{:.4}", e.rms)));
+            all.insert(format!("reprojection_median_px_{when}"), text(format!("{:.4}", e.median)));
+            all.insert("reprojection_observations".into(), Param::Int(e.observations as i64));
+        }
+    }
+    if let Some(r) = &done.refined {
+        all.insert("poses_refined_most_deg".into(), text(format!("{:.4}", r.turned)));
+        all.insert("poses_refined_most_shift".into(), text(format!("{:.5}", r.shifted)));
+    }
+    let fitted = done.held_out_fitted.unwrap_or_default();
+    for (name, s) in [("trained", &done.trained), ("held_out", &done.held_out), ("held_out_poses_fitted", &fitted)] {
         let mut add = |what: &str, v: Option<f64>, places: usize| {
             if let Some(v) = v {
                 all.insert(format!("{name}_{what}"), text(format!("{v:.places$}")));
@@ -138,6 +151,19 @@ impl Told<'_> {
         if let Ok(p) = self.set.poses() {
             line("poses", std::iter::once(&p.source).chain(&p.notes).cloned().collect::<Vec<_>>().join("; "));
         }
+        if let Some(words) = reprojection(&done.reprojection) {
+            line("reprojection", words);
+        }
+        if let Some(r) = &done.refined {
+            line(
+                "refined",
+                format!(
+                    "poses turned by up to {:.3}°, shifted by up to {:.3} % of the distance",
+                    r.turned,
+                    100.0 * r.shifted
+                ),
+            );
+        }
         line("begun from", begun(done));
         let sky = if done.sky > 0 { format!(", {} of them the sky", done.sky) } else { String::new() };
         line(
@@ -182,7 +208,7 @@ impl Told<'_> {
         let memory = peak.map_or("peak memory unknown".into(), |b| format!("peak memory {} MiB", b >> 20));
         let gpu = if r.peak_bytes > 0 { format!(", GPU memory {} MiB", r.peak_bytes >> 20) } else { String::new() };
         line("used", format!("{:.1} s, {memory}{gpu}", self.seconds));
-        out + "\n" + &table(&done.held_out, &done.trained, self.options.exposure)
+        out + "\n" + &table(&done.held_out, done.held_out_fitted.as_ref(), &done.trained, self.options.exposure)
     }
 
     /// The object of `--json`.
@@ -239,6 +265,11 @@ impl Told<'_> {
                 "most": self.options.max_gaussians, "begun_from": begun(done),
             },
             "held_out": scores(&done.held_out),
+            "held_out_poses_fitted": done.held_out_fitted.as_ref().map(scores),
+            "reprojection": {
+                "before": done.reprojection.before.map(error), "after": done.reprojection.after.map(error),
+            },
+            "poses_refined": done.refined.as_ref().map(|r| json!({"most_deg": r.turned, "most_shift": r.shifted})),
             "trained_on": scores(&done.trained),
             "photos": photos,
             "up_from": done.up_by.label(),
@@ -265,15 +296,28 @@ fn scores(s: &Scores) -> Value {
     }
 }
 
+fn error(e: Reprojection) -> Value {
+    json!({"observations": e.observations, "points": e.points, "rms_px": e.rms, "median_px": e.median})
+}
+
+/// For a person; `None` where nothing is known.
+fn reprojection(e: &Errors) -> Option<String> {
+    let words = |e: &Reprojection| format!("{:.3} pixels (median {:.3})", e.rms, e.median);
+    let before = e.before?;
+    let after = e.after.map_or(String::new(), |after| format!(", refined {}", words(&after)));
+    Some(format!("{}{after} over {} observations of {} points", words(&before), before.observations, before.points))
+}
+
 /// PSNR, SSIM and LPIPS of the photos held out and trained on.
-fn table(held_out: &Scores, trained: &Scores, exposure: bool) -> String {
+fn table(held_out: &Scores, posed: Option<&Scores>, trained: &Scores, exposure: bool) -> String {
     let number = |v: Option<f64>, places: usize| v.map_or("–".to_owned(), |v| format!("{v:.places$}"));
-    let mut out = format!("{:<12} {:>6} {:>9} {:>7} {:>7}\n", "", "photos", "PSNR dB", "SSIM", "LPIPS");
-    for (name, s) in [("held out", held_out), ("trained on", trained)] {
+    let mut out = format!("{:<13} {:>6} {:>9} {:>7} {:>7}\n", "", "photos", "PSNR dB", "SSIM", "LPIPS");
+    let rows = [("held out", Some(held_out)), (" poses fitted", posed), ("trained on", Some(trained))];
+    for (name, s) in rows.into_iter().filter_map(|(name, s)| Some((name, s?))) {
         if s.photos > 0 {
             let _ = writeln!(
                 out,
-                "{name:<12} {:>6} {:>9.2} {:>7} {:>7}",
+                "{name:<13} {:>6} {:>9.2} {:>7} {:>7}",
                 s.photos,
                 s.psnr,
                 number(s.ssim, 4),
@@ -298,11 +342,21 @@ mod tests {
     #[test]
     fn the_table_has_what_was_measured() {
         let s = Scores { photos: 3, psnr: 27.126, ssim: Some(0.91), lpips: None, psnr_fitted: Some(28.0) };
-        let t = table(&s, &Scores { photos: 0, ..s }, true);
+        let t = table(&s, None, &Scores { photos: 0, ..s }, true);
         assert!(
             t.contains("27.13") && t.contains("0.9100") && t.contains("28.00") && !t.contains("trained on  "),
             "{t}"
         );
+        let posed = Scores { psnr: 31.0, ..s };
+        let t = table(&s, Some(&posed), &s, false);
+        assert!(t.contains("poses fitted") && t.contains("31.00") && t.contains("27.13"), "{t}");
+        let lines: Vec<usize> = t.lines().map(|l| l.chars().count()).collect();
+        assert!(lines.iter().all(|l| *l == lines[0]), "{t}");
+        let e = Reprojection { observations: 90, points: 30, rms: 1.5, median: 0.5 };
+        let both = Errors { before: Some(e), after: Some(Reprojection { rms: 0.75, ..e }) };
+        let words = reprojection(&both).unwrap();
+        assert!(words.contains("1.500") && words.contains("0.750") && words.contains("30 points"), "{words}");
+        assert_eq!(reprojection(&Errors::default()), None);
         assert!(scores(&Scores::default()).is_null());
     }
 }

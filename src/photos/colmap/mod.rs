@@ -6,6 +6,7 @@
 mod binary;
 mod lens;
 mod text;
+mod write;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,6 +16,7 @@ use glam::{DQuat, DVec3, Mat3};
 use crate::{Error, Result};
 
 pub use lens::Lens;
+pub use write::text as written;
 
 /// A sparse model.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -123,3 +123,23 @@ fn every_eighth_is_held_back() {
     let held: Vec<usize> = (0..20).filter(|i| is_test(*i)).collect();
     assert_eq!(held, [0, 8, 16]);
 }
+
+#[test]
+fn what_is_written_reads_back() {
+    let poses = crate::photos::poses::of_model(&folder("text")).unwrap();
+    assert!(!poses.observations.is_empty());
+    // Every pose a little elsewhere.
+    let at: Vec<(DQuat, DVec3)> =
+        poses.photos.iter().map(|p| (DQuat::from_rotation_x(0.1) * p.rotation, p.translation + DVec3::X)).collect();
+    let points: Vec<DVec3> = poses.points.iter().map(|p| p.0).collect();
+    let out = tempfile::tempdir().unwrap();
+    for (name, text) in written(&poses, &at, &points) {
+        std::fs::write(out.path().join(name), text).unwrap();
+    }
+    let back = crate::photos::poses::of_model(out.path()).unwrap();
+    assert_eq!((&back.points, &back.observations), (&poses.points, &poses.observations));
+    for (k, (a, b)) in back.photos.iter().zip(&poses.photos).enumerate() {
+        assert_eq!((&a.name, &a.camera), (&b.name, &b.camera));
+        assert!(a.rotation.angle_between(at[k].0) < 1e-7 && a.translation == at[k].1);
+    }
+}

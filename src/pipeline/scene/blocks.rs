@@ -16,8 +16,8 @@ use cells::Cell;
 use part::{Head, Part};
 
 use super::{
-    Begun, Clock, Drawers, From, NONE, Options, Pictures, Report, Role, Scene, Scores, Source, View, begin, extent,
-    pictures, schedule, score, sky, unit_frame,
+    Begun, Clock, Drawers, From, NONE, Options, Pictures, Report, Role, Scene, Scores, Source, View, begin, cameras,
+    extent, pictures, schedule, score, sky, unit_frame,
 };
 use crate::bench::Picture;
 use crate::geo::similarity::Similarity;
@@ -177,6 +177,10 @@ pub fn fit(
         views,
         trained,
         held_out,
+        held_out_fitted: None,
+        refined: None,
+        // Blocks leave poses as they are.
+        reprojection: cameras::errors(source.poses, None, |i| !source.held_out.get(i).copied().unwrap_or(false)),
         behind: coarse.head.behind,
         report,
         timings: clock.timings,
@@ -226,6 +230,7 @@ impl Run<'_> {
         let poses = Poses {
             photos: chosen.iter().map(|i| self.source.poses.photos[*i].clone()).collect(),
             points: Vec::new(),
+            observations: Vec::new(),
             source: String::new(),
             files: Vec::new(),
             notes: Vec::new(),

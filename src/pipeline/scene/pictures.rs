@@ -2,7 +2,7 @@
 
 use image::{DynamicImage, GrayImage, RgbImage, imageops};
 
-use super::{Options, Source};
+use super::{Options, Source, cameras};
 use crate::geo::similarity::Similarity;
 use crate::photo::Photo;
 use crate::photos::Posed;
@@ -69,11 +69,17 @@ pub fn read(source: &Source, to_unit: &Similarity, options: &Options, progress: 
         pictures.alpha |= alpha;
         pictures.targets.push(Target {
             weight: if held_out { 0.0 } else { 1.0 },
-            refine_pose: options.refine_poses && !held_out,
             fit_exposure: options.exposure && !held_out,
             ..target
         });
         progress.step(i as u64 + 1);
+    }
+    if options.refine_poses {
+        let cameras: Vec<Camera> = pictures.targets.iter().map(|t| t.camera).collect();
+        let depths = cameras::depths(source.poses, to_unit, &cameras);
+        for (t, depth) in pictures.targets.iter_mut().zip(depths).filter(|(t, _)| t.weight > 0.0) {
+            t.refine_pose = Some(depth);
+        }
     }
     Ok(pictures)
 }
@@ -129,7 +135,7 @@ fn one(
         color,
         alpha: alpha.unwrap_or_else(|| vec![1.0; (size[0] * size[1]) as usize]),
         weight: 1.0,
-        refine_pose: false,
+        refine_pose: None,
         fit_exposure: false,
         held_back,
         shown: Shown::Color,

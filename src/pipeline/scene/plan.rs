@@ -168,7 +168,7 @@ fn ground(side: u32, count: usize) -> (Gaussians, Target) {
         color: (0..pixels).map(|_| [random.uniform(); 3]).collect(),
         alpha: vec![1.0; pixels],
         weight: 1.0,
-        refine_pose: false,
+        refine_pose: None,
         fit_exposure: false,
         held_back: None,
         shown: Shown::Color,

@@ -271,7 +271,7 @@ mod tests {
                     color: (0..80 * 60).map(color).collect(),
                     alpha: vec![1.0; 80 * 60],
                     weight: 1.0,
-                    refine_pose: false,
+                    refine_pose: None,
                     fit_exposure: false,
                     held_back: None,
                     shown: Shown::Color,

@@ -2,6 +2,7 @@
 
 mod cut;
 mod ground;
+mod poses;
 mod terrain;
 
 use std::sync::LazyLock;

@@ -146,8 +146,9 @@ impl Run {
             pictures.update(cast_slice(&t.color));
             pictures.update(cast_slice(&t.alpha));
             pictures.update(t.weight.to_le_bytes());
-            let flags = [t.refine_pose, t.held_back.is_some(), t.shown == Shown::Normals, t.fit_exposure];
+            let flags = [t.refine_pose.is_some(), t.held_back.is_some(), t.shown == Shown::Normals, t.fit_exposure];
             pictures.update(flags.map(u8::from));
+            pictures.update(t.refine_pose.unwrap_or_default().to_le_bytes());
             t.held_back.iter().flatten().for_each(|h| pictures.update([u8::from(*h)]));
         }
         let mut gaussians = Sha256::new();
@@ -320,7 +321,7 @@ mod tests {
             color: vec![[0.5; 3]; 48],
             alpha: vec![1.0; 48],
             weight: 1.0,
-            refine_pose: true,
+            refine_pose: Some(0.0),
             fit_exposure: true,
             held_back: Some(vec![false; 48]),
             shown: Shown::Color,

@@ -91,9 +91,8 @@ pub fn advance(
             regulariser: options.regulariser() / gaussians.len().max(1) as f32,
         };
         let pose_gradient = update::update(&raster, &view, &how, &mut gaussians, &mut moments, &mut statistics);
-        if target.refine_pose && iteration >= options.pose_from {
-            let distance = cameras[turn].translation.length();
-            poses[turn].step(&mut cameras[turn], pose_gradient, options.rates.pose, distance);
+        if let Some(pivot) = target.refine_pose.filter(|_| iteration >= options.pose_from) {
+            poses[turn].step(&mut cameras[turn], pose_gradient, options.rates_at(iteration).pose, pivot);
         }
         if target.fit_exposure {
             let rates = options.rates_at(iteration);

@@ -38,7 +38,9 @@ pub struct Target {
     pub alpha: Vec<f32>,
     /// How often this target has its turn, relative to the others. 0: measured, never trained on.
     pub weight: f32,
-    pub refine_pose: bool,
+    /// Whether the camera's pose is learnt: how far before it the point lies about which the pose is turned, and which is what its
+    /// shifts count in. 0: it turns about the eye, shifts count in its distance from the origin.
+    pub refine_pose: Option<f32>,
     /// Whether an [`exposure`] of this picture is learnt: for photos of automatic cameras.
     pub fit_exposure: bool,
     /// Pixels never trained on: in the loss the render itself, held fixed, stands there.

@@ -1,4 +1,8 @@
-//! A camera's pose as something to be learnt: p' = exp(ω)·p + v on the left of world→camera.
+//! A camera's pose as something to be learnt: p' = exp(ω)·(p − c) + c + v on the left of world→camera, with c before the camera.
+//!
+//! Seen from the eye, c = 0, a turn and a shift across move the picture nearly alike, and what tells them apart is lost in the step
+//! that Adam takes for either. About what the camera looks at a turn moves the picture only where it is nearer or farther than that,
+//! and a shift all of it: each has its own step (preconditioning, as Park et al. 2023 do it for whole cameras).
 
 use glam::{Mat3, Quat, Vec3};
 
@@ -27,12 +31,22 @@ impl Pose {
         Pose { moments, steps: words[3] as i32 }
     }
 
-    /// One step against `gradient` (translation, rotation vector). `rate` is in radians; translations take `rate` times
-    /// `distance`, so that both move the picture alike. A gradient that is not finite changes nothing.
-    pub fn step(&mut self, camera: &mut Camera, gradient: [f32; 6], rate: f32, distance: f32) {
+    /// One step against `gradient` (translation, rotation vector about the eye). `rate` is in radians; translations take `rate` times
+    /// the depth of the pivot, so that both move the picture alike; times the distance of the origin where the pivot is the eye. A
+    /// gradient that is not finite changes nothing.
+    pub fn step(&mut self, camera: &mut Camera, gradient: [f32; 6], rate: f32, pivot: f32) {
         if !gradient.iter().sum::<f32>().is_finite() {
             return;
         }
+        let distance = if pivot > 0.0 { pivot } else { camera.translation.length() };
+        // c × ∂L/∂v is what a turn about the eye has of the shift that it brings with it.
+        let [vx, vy, ..] = gradient;
+        let gradient = {
+            let mut about = gradient;
+            about[3] += pivot * vy;
+            about[4] -= pivot * vx;
+            about
+        };
         self.steps += 1;
         let corrections = [1.0 - BETA1.powi(self.steps), 1.0 - BETA2.powi(self.steps)];
         let mut change = [0.0; 6];
@@ -44,14 +58,15 @@ impl Pose {
             let size = (self.moments[1][i] / corrections[1]).sqrt() + 1e-15;
             *change = -rate * unit * self.moments[0][i] / corrections[0] / size;
         }
-        *camera = moved(camera, change);
+        *camera = moved(camera, change, pivot);
     }
 }
 
-/// The camera after a left-multiplied increment: translation, rotation vector.
-pub fn moved(camera: &Camera, by: [f32; 6]) -> Camera {
+/// The camera after a left-multiplied increment: translation, rotation vector about a point so far before it.
+pub fn moved(camera: &Camera, by: [f32; 6], pivot: f32) -> Camera {
+    let c = Vec3::new(0.0, 0.0, pivot);
     let turn = Mat3::from_quat(Quat::from_scaled_axis(Vec3::new(by[3], by[4], by[5])));
     // Through a quaternion and back: many small steps must not wear the rotation off orthonormal.
     let rotation = Mat3::from_quat(Quat::from_mat3(&(turn * camera.rotation)).normalize());
-    Camera { rotation, translation: turn * camera.translation + Vec3::new(by[0], by[1], by[2]), ..*camera }
+    Camera { rotation, translation: turn * (camera.translation - c) + c + Vec3::new(by[0], by[1], by[2]), ..*camera }
 }

@@ -23,10 +23,12 @@ pub struct Rates {
     pub harmonics: f32,
     /// Radians.
     pub pose: f32,
+    /// The pose's falls exponentially to this share of itself.
+    pub pose_share: f32,
     /// Of a photo's exposure; falls exponentially to `exposure_final`.
     pub exposure: f32,
     pub exposure_final: f32,
-    /// All but the position's fall exponentially to this share of themselves.
+    /// All but the position's, the pose's and the exposure's fall exponentially to this share of themselves.
     pub final_share: f32,
 }
 
@@ -130,6 +132,7 @@ impl Default for Options {
                 color: 2.5e-3,
                 harmonics: 2.5e-3 / 20.0,
                 pose: 1e-4,
+                pose_share: 1.0,
                 exposure: 1e-2,
                 exposure_final: 1e-3,
                 final_share: 1.0,
@@ -177,6 +180,7 @@ pub(super) struct RatesNow {
     pub scale: f32,
     pub color: f32,
     pub harmonics: f32,
+    pub pose: f32,
     pub exposure: f32,
 }
 
@@ -204,6 +208,7 @@ impl Options {
             color: longer(r.color, 2.0),
             harmonics: longer(r.harmonics, 8.0),
             pose: r.pose,
+            pose_share: r.pose_share,
             exposure: r.exposure,
             exposure_final: r.exposure_final,
             final_share: longer(r.final_share, 0.1),
@@ -300,9 +305,10 @@ impl Options {
         let falling = |from: f32, to: f32| (from.ln() * (1.0 - t) + to.ln() * t).exp();
         let position = falling(r.position, r.position_final);
         let exposure = falling(r.exposure, r.exposure_final);
+        let pose = r.pose * r.pose_share.powf(t);
         let [opacity, rotation, scale, color, harmonics] =
             [r.opacity, r.rotation, r.scale, r.color, r.harmonics].map(|rate| rate * r.final_share.powf(t));
-        RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics, exposure }
+        RatesNow { position: position * self.scene_extent, opacity, rotation, scale, color, harmonics, pose, exposure }
     }
 
     /// What lies behind the subject in this target's turn: nothing, where normals are shown.

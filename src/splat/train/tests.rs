@@ -20,7 +20,7 @@ fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
                 color: frame.color.iter().zip(&frame.alpha).map(|(c, a)| c.map(|v| v / a.max(1e-3))).collect(),
                 alpha: frame.alpha,
                 weight: 1.0,
-                refine_pose: false,
+                refine_pose: None,
                 fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,
@@ -80,9 +80,9 @@ fn a_wrong_pose_is_found_again() {
     let truth = scene(150, 0.12, 1);
     let mut targets = views(&truth, 3, 48);
     let right = targets[0].camera;
-    let wrong = pose::moved(&right, [0.03, -0.02, 0.0, 0.004, 0.0, 0.02]);
+    let wrong = pose::moved(&right, [0.03, -0.02, 0.0, 0.004, 0.0, 0.02], 0.0);
     targets[0].camera = wrong;
-    targets[0].refine_pose = true;
+    targets[0].refine_pose = Some(0.0);
     let mut options = gentle(150);
     options.rates.pose = 1e-3;
     let trained = train(Engine::Cpu, truth, &targets, &options, &Silent).unwrap();

@@ -29,7 +29,8 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
         .map_while(|iteration| {
             let turn = turns.next()?;
             let (target, r) = (&targets[turn], options.rates_at(iteration));
-            let pose = if target.refine_pose && iteration >= options.pose_from { options.rates.pose } else { 0.0 };
+            let pose = if target.refine_pose.is_some() && iteration >= options.pose_from { r.pose } else { 0.0 };
+            let exposure = if target.fit_exposure { [r.exposure, options.exposure_hold] } else { [0.0; 2] };
             let (background, seed) = match options.behind(target, iteration) {
                 Background::Flat([r, g, b]) => ([r, g, b, 0.0], [0, 0]),
                 Background::Noise(seed) => ([0.0, 0.0, 0.0, 1.0], halves(seed)),
@@ -45,7 +46,7 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
                 loss: [(1.0 - lambda) * share, -lambda * share, options.regulariser(), options.regulariser()],
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
                 more_words: [low, high, u32::from(target.shown == Shown::Normals), 0],
-                exposure: if target.fit_exposure { [r.exposure, options.exposure_hold, 0.0, 0.0] } else { [0.0; 4] },
+                exposure: [exposure[0], exposure[1], target.refine_pose.unwrap_or_default(), 0.0],
                 moving: options.moving.words(),
             })
         })

@@ -211,7 +211,7 @@ fn target(camera: Camera, seed: u64) -> Target {
         color: other.color.iter().zip(&other.alpha).map(|(c, a)| c.map(|v| v / a.max(1e-2))).collect(),
         alpha: other.alpha,
         weight: 1.0,
-        refine_pose: true,
+        refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some((0..n).map(|i| i % 97 < 5).collect()),
         shown: Shown::Color,
@@ -323,7 +323,7 @@ fn pictures_of_normals_turn_the_surface() {
                 alpha: frame.alpha,
                 shown,
                 held_back: None,
-                refine_pose: false,
+                refine_pose: None,
                 fit_exposure: false,
                 ..target(camera, 1)
             }

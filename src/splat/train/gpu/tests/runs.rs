@@ -28,7 +28,7 @@ fn problem(size: u32) -> (Vec<Target>, Gaussians) {
                 color: frame.color.iter().zip(&frame.alpha).map(|(c, a)| c.map(|v| v / a.max(1e-3))).collect(),
                 alpha: frame.alpha,
                 weight: 1.0,
-                refine_pose: i == 2,
+                refine_pose: (i == 2).then_some(1.7),
                 fit_exposure: false,
                 held_back: None,
                 shown: Shown::Color,
@@ -67,7 +67,7 @@ fn exposures_are_found_as_on_the_cpu() {
     let gains = [1.0, 0.7, 1.2, 0.9, 1.1];
     for (t, gain) in targets.iter_mut().zip(gains) {
         t.color.iter_mut().for_each(|c| *c = [c[0] * gain, c[1] * gain * 0.95, c[2] * gain]);
-        (t.fit_exposure, t.refine_pose) = (true, false);
+        (t.fit_exposure, t.refine_pose) = (true, None);
     }
     let scaled = Options::scaled(150);
     let o = Options { density: Density { until: 0, ..scaled.density }, behind: Behind::Fixed([0.0; 3]), ..scaled };
@@ -188,7 +188,7 @@ fn short_lists_halt_and_go_on() {
     g.logit_opacities.fill(-3.0);
     let mut t = target(Camera::look_at(Vec3::new(0.0, -4.0, 0.0), Vec3::ZERO, 0.9, 400), 3);
     t.held_back = None;
-    t.refine_pose = false;
+    t.refine_pose = None;
     let o =
         Options { iterations: 3, density: Density { until: 0, ..Options::default().density }, ..Options::default() };
     let run = |engine| train(engine, g.clone(), std::slice::from_ref(&t), &o, &Silent).unwrap();
