@@ -51,13 +51,30 @@ class Critic(nn.Module):
 class Adversary:
     """The critic, its optimizer and its two turns; every process holds the same (gradients are averaged)."""
 
-    def __init__(self):
+    def __init__(self, path=""):
+        """A new critic, or the one that the file at `path` holds (`half`)."""
         self.share = 0.0
-        self.critic = Critic().cuda().to(memory_format=torch.channels_last)
+        self.critic = Critic()
+        if path:
+            known = torch.load(path, map_location="cpu", weights_only=True)
+            self.critic.load_state_dict({k: v.float() for k, v in known.items()})
+        self.critic.cuda().to(memory_format=torch.channels_last)
         self.optimizer = torch.optim.Adam(self.critic.parameters(), betas=(0.5, 0.99))
         if dist.is_initialized():
             for value in (*self.critic.parameters(), *self.critic.buffers()):
                 dist.broadcast(value.data, 0)
+
+    def state(self):
+        """Everything that `go_on` needs."""
+        return {"net": self.critic.state_dict(), "opt": self.optimizer.state_dict()}
+
+    def go_on(self, state):
+        self.critic.load_state_dict(state["net"])
+        self.optimizer.load_state_dict(state["opt"])
+
+    def half(self):
+        """The critic's parameters and buffers in float16."""
+        return {k: v.half() for k, v in self.critic.state_dict().items()}
 
     def follow(self, lr, share):
         """The critic's own learning rate, and how much it is heeded, from now on."""

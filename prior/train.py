@@ -3,7 +3,8 @@
     torchrun --nproc_per_node=N train.py {scene|splat} --seconds 500 [--total 1000] [--init weights.pt]
 
 Writes DIR/<net>.pt (everything needed to go on), DIR/<net>_weights.pt (averaged weights, float16, for export.py) and
-DIR/<net>.png (the last batch). A run that finds DIR/<net>.pt goes on from there. Progress: one JSON line every 20 s.
+DIR/<net>.png (the last batch); with a critic also DIR/critic.pt, float16, that another training may begin with. A run that
+finds DIR/<net>.pt goes on from there. Progress: one JSON line every 20 s.
 The schedule follows the clock, so two runs of one seed see the same data but stop at different steps. A number in the
 file DIR/seconds overrides --seconds and --total while it runs: a machine that is lent for less or more than was thought.
 """
@@ -50,6 +51,7 @@ def arguments():
     parser.add_argument("--dir", default="checkpoints")
     parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
     parser.add_argument("--critic", type=float, default=0, help="SplatNet: slope of a critic's demand over that of the loss")
+    parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--compile", action="store_true", help="compile the network first (a minute, then faster)")
     return parser.parse_args()
@@ -103,13 +105,12 @@ def told(path, seconds, total):
         return seconds, total
 
 
-def train(net, optimizer, average, pool, args, spent, step, rank, world):
+def train(net, optimizer, average, adversary, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
     model = torch.compile(net) if args.compile else net
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     take_step = STEPS[args.net]
-    adversary = Adversary() if args.critic and args.net == "splat" else None
     if adversary:
         take_step = functools.partial(take_step, heed=adversary.heeded)
     start = logged = kept = time.time()
@@ -146,15 +147,19 @@ def train(net, optimizer, average, pool, args, spent, step, rank, world):
             print(json.dumps(line | {k: round(v.item(), 3) for k, v in log.items()}), flush=True)
         if rank == 0 and time.time() - kept > args.keep_every:
             kept = time.time()
-            save(net, average, optimizer, spent + elapsed, step, os.path.join(args.dir, args.net))
+            save(net, average, optimizer, adversary, spent + elapsed, step, os.path.join(args.dir, args.net))
         if stop:
             return step, spent + time.time() - start, columns
 
 
-def save(net, average, optimizer, spent, step, path):
-    """Write `path`.pt and `path`_weights.pt; whoever reads them meanwhile sees the old ones or the new ones."""
+def save(net, average, optimizer, adversary, spent, step, path):
+    """Write `path`.pt, `path`_weights.pt and the critic; whoever reads them meanwhile sees the old ones or the new ones."""
     state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict(), "spent": spent, "it": step}
-    for name, content in ((path + ".pt", state), (path + "_weights.pt", average.half())):
+    contents = [(path + ".pt", state), (path + "_weights.pt", average.half())]
+    if adversary:
+        state["critic"] = adversary.state()
+        contents.append((os.path.join(os.path.dirname(path), "critic.pt"), adversary.half()))
+    for name, content in contents:
         torch.save(content, name + ".new")
         os.replace(name + ".new", name)
 
@@ -195,6 +200,9 @@ def main():
     net = initialised(args.net, "" if saved else args.init, pool)
     average = Average(net)
     optimizer = torch.optim.AdamW(net.parameters(), lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
+    adversary = Adversary(args.critic_init) if args.critic and args.net == "splat" else None
+    if saved and adversary and "critic" in saved:
+        adversary.go_on(saved["critic"])
     if saved:
         net.load_state_dict(saved["net"])
         average.state = saved["ema"]
@@ -203,9 +211,9 @@ def main():
         parameters = sum(p.numel() for p in net.parameters())
         print(f"{args.net}: {parameters / 1e6:.1f} M parameters, {len(pool.prims)} objects, step {step}", flush=True)
 
-    step, spent, columns = train(net, optimizer, average, pool, args, spent, step, rank, world)
+    step, spent, columns = train(net, optimizer, average, adversary, pool, args, spent, step, rank, world)
     if rank == 0:
-        save(net, average, optimizer, spent, step, path)
+        save(net, average, optimizer, adversary, spent, step, path)
         save_sheet(columns, path + ".png")
         print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
     if world > 1:

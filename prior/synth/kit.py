@@ -19,7 +19,7 @@ class Primitive(NamedTuple):
     rotation: np.ndarray  # [3, 3], columns are the local axes in object space
     material: Material
     cut: tuple = (SOLID, 1.0, 1.0)  # what is cut out, bars per unit length, share that stays
-    bevel: float = 0.0  # a box's rounded edges, of its least half size
+    bevel: float = 0.0  # a box's rounded edges, as `layout.BEVEL` has them
 
 
 class Kit:

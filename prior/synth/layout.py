@@ -33,7 +33,9 @@ SUBJECT = 31  # 1 for the subject, 0 for what only stands around
 CUTOUT = 32
 CUT_FREQUENCY = 33  # bars per unit length, spokes per turn
 CUT_SHARE = 34  # of the primitive that stays
-BEVEL = 35  # width of a box's rounded edges over its least half size; changes its shading alone
+# Of a box: up to 1 the width of its rounded edges over its least half size, which changes its shading alone; above 1 the
+# exponent p of the superellipsoid |x|^p + |y|^p + |z|^p = 1 that fills it instead.
+BEVEL = 35
 
 # One camera.
 CAMERA_FLOATS = 20

@@ -14,7 +14,7 @@ from .frames import crane, fence, lattice_mast, scaffold, street_furniture
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
-from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SPOKES
+from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SOLID, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
 from .plain import articulated, container, light_plane, pickup, plain_house
@@ -106,6 +106,20 @@ MAKERS = [
 COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, person, gabled_house, eaved_house, block, round_car, seat)
 
 
+# What has corners in life as well: buildings, boxes, things of beams and boards.
+ANGULAR = {
+    *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
+    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill),
+}
+# Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
+ROUNDED = 0.55
+EXPONENTS = (3.2, 14.0)
+
+
+# All around, for `superellipsoid`: the corners and edges of a cube, where it bends most, and what lies between.
+DIRECTIONS = np.array([d for d in np.ndindex(9, 9, 9) if 0 in d or 8 in d]) / 4.0 - 1
+
+
 class Made(NamedTuple):
     """An object: primitive rows float32 [PRIMS, FLOATS], how many are used, the height of its ground, who made it.
 
@@ -126,6 +140,8 @@ def make_object(seed):
     maker(kit)
     stretch = draw_stretch(rng)
     primitives = [stretched(p, stretch) for p in kit.primitives[:PRIMS]]
+    if maker not in ANGULAR and rng.random() < ROUNDED:
+        primitives = rounded(primitives, rng)
     low, high = bounds(primitives)
     centre = (low + high) / 2
     scale = 1 / (np.linalg.norm(high - low) / 2)
@@ -155,6 +171,18 @@ def stretched(p, stretch):
     return p._replace(centre=stretch @ p.centre, half=p.half * along, shift=shift)
 
 
+def rounded(primitives, rng):
+    """The same with superellipsoids for boxes, all of much the same exponent; panels, which lie on others' faces, stay flat."""
+    low, high = np.log(EXPONENTS)
+    usual = rng.uniform(low, high)
+    exponents = np.exp(np.clip(usual + 0.2 * rng.normal(size=len(primitives)), low, high))
+
+    def is_body(p):
+        return p.kind == BOX and p.cut[0] == SOLID and p.half.min() > 0.12 * p.half.max()
+
+    return [p._replace(bevel=e) if is_body(p) else p for p, e in zip(primitives, exponents, strict=True)]
+
+
 def bounds(primitives):
     """Lowest and highest corner, [3] each, of the box around all primitives."""
     low = np.full(3, 1e9)
@@ -173,6 +201,10 @@ def outline(p):
     if p.kind == BALL:
         return [(np.zeros(3), np.linalg.norm(axes, axis=1))]
     bottom, top = -p.half[2], p.half[2]
+    if p.kind == BOX and p.bevel > 1:
+        around = superellipsoid(p) @ p.rotation.T
+        low, high = around.min(0), around.max(0)
+        return [(p.rotation.T @ ((low + high) / 2), (high - low) / 2)]
     if p.kind == BOX:
         lean = np.array([*p.shift, 0]) / 2
         wide = np.abs(p.rotation[:, 0]) * p.half[0], np.abs(p.rotation[:, 1]) * p.half[1]
@@ -181,6 +213,14 @@ def outline(p):
     # A prism's corners lie outside the circle of its sides' middles.
     wide = np.hypot(axes[:, 0], axes[:, 1]) / (np.cos(np.pi / p.taper[1]) if p.kind == PRISM else 1)
     return [(np.array([0, 0, bottom]), wide), (np.array([0, 0, top]), wide * p.taper[0])]
+
+
+def superellipsoid(p):
+    """Points [n, 3] all over the superellipsoid in the box `p`, in its own frame."""
+    on = DIRECTIONS / (np.abs(DIRECTIONS) ** p.bevel).sum(1, keepdims=True) ** (1 / p.bevel)
+    k = 0.5 + 0.5 * on[:, 2]
+    across = [on[:, i] * p.half[i] * (1 + (p.taper[i] - 1) * k) + p.shift[i] * (k - 0.5) for i in range(2)]
+    return np.stack([*across, on[:, 2] * p.half[2]], 1)
 
 
 def row(primitive, centre, rotation, scale):

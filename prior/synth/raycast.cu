@@ -166,7 +166,7 @@ __device__ Sample trace(const Scene& scene, const float* E, const float* o, cons
         const float* q = scene.prims + which * ROW;
         const float* R = q + ROTATION;
         float p[3] = {o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2]};
-        if (q[KIND] < .5f && q[BEVEL] > .01f) round_edges(q, p, n);
+        if (q[KIND] < .5f && q[BEVEL] > .01f && q[BEVEL] <= 1) round_edges(q, p, n);
         if (q[CUTOUT] > LEAVES - .5f && q[CUTOUT] < LEAVES + .5f) ruffle(p, n);
         for (int i = 0; i < 3; i++) N[i] = R[i] * n[0] + R[3 + i] * n[1] + R[6 + i] * n[2];
         float scale = rsqrtf(dot(N, N));

@@ -54,6 +54,46 @@ __device__ bool hit_box(const float* q, const float* a, const float* b, float tm
     return true;
 }
 
+// The p-norm, p > 1, of a superellipsoid's own coordinates (x, y, z over its half sizes at that height) at the point l; its
+// gradient over l goes to g.
+__device__ float superellipsoid(const float* q, const float* l, float p, float* g) {
+    const float* h = q + HALF_SIZE;
+    float slope = .5f / h[2], k = .5f + slope * l[2], up = l[2] / h[2], sum = 1e-12f;
+    float own[2], over[2];
+    for (int i = 0; i < 2; i++) {
+        over[i] = 1 / (h[i] * (1 + (q[TAPER + i] - 1) * k));
+        own[i] = (l[i] - q[SHIFT + i] * (k - .5f)) * over[i];
+        sum += powf(fabsf(own[i]) + 1e-9f, p);
+    }
+    sum += powf(fabsf(up) + 1e-9f, p);
+    float norm = powf(sum, 1 / p), scale = norm / sum;
+    g[2] = copysignf(powf(fabsf(up) + 1e-9f, p - 1), up) * scale / h[2];
+    for (int i = 0; i < 2; i++) {
+        g[i] = copysignf(powf(fabsf(own[i]) + 1e-9f, p - 1), own[i]) * scale * over[i];
+        g[2] -= g[i] * slope * (q[SHIFT + i] + own[i] * h[i] * (q[TAPER + i] - 1));
+    }
+    return norm;
+}
+
+// A superellipsoid fills its box: Newton's steps from where the ray enters that. Along a ray the norm is convex (where it does
+// not taper, nearly where it does), so that no step goes too far, and where the norm grows before it is 1 the ray passes by.
+__device__ bool hit_superellipsoid(const float* q, const float* a, const float* b, float tmin, float tmax, float& t, float* n) {
+    float s, l[3];
+    if (!hit_box(q, a, b, tmin, tmax, s, n)) return false;
+    for (int step = 0; step < 12; step++) {
+        for (int i = 0; i < 3; i++) l[i] = a[i] + s * b[i];
+        float above = superellipsoid(q, l, q[BEVEL], n) - 1, along = dot(n, b);
+        if (above < 5e-4f) {
+            t = s;
+            return s < tmax;
+        }
+        if (along > -1e-6f) return false;
+        s -= above / along;
+        if (s > tmax) return false;
+    }
+    return false;
+}
+
 __device__ bool hit_ellipsoid(const float* q, const float* a, const float* b, float tmin, float tmax, float& t, float* n) {
     const float* h = q + HALF_SIZE;
     float u[3] = {a[0] / h[0], a[1] / h[1], a[2] / h[2]};
@@ -204,6 +244,7 @@ __device__ bool solid_at(const float* q, const float* l) {
 
 __device__ bool hit_kind(const float* q, const float* a, const float* b, float tmin, float tmax, float& t, float* n) {
     int kind = (int)(q[KIND] + .5f);
+    if (kind == BOX && q[BEVEL] > 1) return hit_superellipsoid(q, a, b, tmin, tmax, t, n);
     if (kind == BOX) return hit_box(q, a, b, tmin, tmax, t, n);
     if (kind == BALL) return hit_ellipsoid(q, a, b, tmin, tmax, t, n);
     if (kind == PRISM) return hit_prism(q, a, b, tmin, tmax, t, n);
