@@ -42,8 +42,10 @@ pub enum Quality {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Symmetry {
-    /// One plane or two, where the subject meets its mirror image
+    /// As `evident`; else one plane that nothing speaks against, as of most that is photographed from the side
     Auto,
+    /// One plane or two, where the photo shows that the subject meets its mirror image
+    Evident,
     /// The best plane, however well it fits
     On,
     /// It and a second one at right angles: the back is made the front's mirror image, as of towers, bunkers and many houses
@@ -55,6 +57,7 @@ impl From<Symmetry> for symmetry::Use {
     fn from(choice: Symmetry) -> Self {
         match choice {
             Symmetry::Auto => symmetry::Use::Auto,
+            Symmetry::Evident => symmetry::Use::Evident,
             Symmetry::On => symmetry::Use::On,
             Symmetry::Two => symmetry::Use::Two,
             Symmetry::Off => symmetry::Use::Off,

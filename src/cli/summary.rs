@@ -59,9 +59,11 @@ pub fn text(s: &Summary) -> String {
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
-    let mirrored = match symmetry::used(&s.done.symmetry).len() {
-        0 => String::new(),
-        1 => format!("{:.0}% from the photo mirrored, ", finest.mirrored * 100.0),
+    let bases: Vec<symmetry::Basis> = s.done.symmetry.iter().filter_map(|f| f.basis).collect();
+    let mirrored = match bases[..] {
+        [] => String::new(),
+        [symmetry::Basis::Assumed] => format!("{:.0}% from the photo mirrored (assumed), ", finest.mirrored * 100.0),
+        [_] => format!("{:.0}% from the photo mirrored, ", finest.mirrored * 100.0),
         _ => format!("{:.0}% from the photo mirrored at two planes, ", finest.mirrored * 100.0),
     };
     line("texture", format!("{:.0}% from the photo, {mirrored}the rest invented", finest.seen * 100.0));
@@ -220,6 +222,7 @@ pub fn json(s: &Summary) -> Result<String> {
         })
         .collect();
     let planes = symmetry::used(&s.done.symmetry).len();
+    let basis = s.done.symmetry.first().and_then(|f| f.basis).map(symmetry::Basis::label);
     let settled = s.done.settled.iter().map(|r| ("model_pictures", agreement(r).into()));
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()
@@ -273,7 +276,7 @@ pub fn json(s: &Summary) -> Result<String> {
         },
         "levels": levels,
         "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
-        "symmetry": {"applied": planes > 0, "planes": planes},
+        "symmetry": {"applied": planes > 0, "planes": planes, "basis": basis},
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -85,7 +85,7 @@ pub fn search(
     let reference = &all[best].view;
     // The far side is the near one's mirror image where the subject has a plane of symmetry: better than the network's guess.
     let seen = symmetry::Seen { camera: reference.camera, color: &reference.colour, mask: &reference.mask.data };
-    let found = symmetry::find(&reference.gaussians, &seen, symmetry::Use::Auto);
+    let found = symmetry::find(&reference.gaussians, &seen, symmetry::Use::Evident);
     let body = symmetry::complete(&reference.gaussians, &seen, &symmetry::used(&found)).gaussians;
     let mut photos = Vec::new();
     for (i, seen) in all.iter().enumerate() {

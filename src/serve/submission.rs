@@ -37,6 +37,7 @@ pub enum Quality {
 #[serde(rename_all = "lowercase")]
 pub enum Symmetry {
     Auto,
+    Evident,
     On,
     Two,
     Off,
@@ -340,6 +341,7 @@ mod tests {
             ("quality", "standard"),
             ("quality", "high"),
             ("symmetry", "auto"),
+            ("symmetry", "evident"),
             ("symmetry", "on"),
             ("symmetry", "two"),
             ("symmetry", "off"),

@@ -17,14 +17,16 @@ use crate::splat::{Camera, Gaussians};
 
 pub use complete::{Completed, MirroredPhoto, complete};
 pub use evidence::Seen;
-pub use search::{Fit, Found, find, used};
+pub use search::{Basis, Fit, Found, find, used};
 
 /// Which symmetry is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Use {
-    /// One plane or two, where the subject meets its mirror image well enough.
+    /// One plane or two, where the subject meets its mirror image well enough; else one that nothing speaks against.
     #[default]
     Auto,
+    /// One plane or two, where the subject meets its mirror image well enough.
+    Evident,
     /// The best plane, however well it fits.
     On,
     /// It and a second one at right angles: the back is the front's mirror image.

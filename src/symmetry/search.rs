@@ -46,7 +46,22 @@ impl Fit {
 
     /// Good enough to be used unasked, and worth it.
     pub fn convinces(&self) -> bool {
-        self.hidden > 0.1 && self.misfit() < 0.05 && self.silhouette > 0.6
+        self.gives() && self.misfit() < 0.05
+    }
+
+    /// Whether nothing speaks against it. Of what is photographed from the side the photo shows no two points that are each
+    /// other's mirror image, so that nothing can speak for it: most bodies with a long side are alike on both.
+    pub fn plausible(&self) -> bool {
+        self.gives() && self.askew() < 0.45
+    }
+
+    /// The same of the plane at right angles to another one. That a back is like its front is said more rarely.
+    fn plausible_across(&self) -> bool {
+        self.askew() < 0.35 && self.silhouette > 0.6
+    }
+
+    fn gives(&self) -> bool {
+        self.hidden > 0.1 && self.silhouette > 0.6
     }
 }
 
@@ -56,16 +71,43 @@ const SAMPLED: f32 = 0.01;
 /// A surface point within this of the seen depth is the seen one.
 const SAME: f32 = 0.08;
 
-/// A plane, and whether it is to be used.
+/// Why a plane is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// The subject meets its mirror image well enough.
+    Evident,
+    /// Nothing speaks against it.
+    Assumed,
+    /// The user wants it.
+    Asked,
+}
+
+impl Basis {
+    pub fn label(self) -> &'static str {
+        match self {
+            Basis::Evident => "evident",
+            Basis::Assumed => "assumed",
+            Basis::Asked => "asked",
+        }
+    }
+}
+
+/// A plane, and why it is used; None where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
     pub fit: Fit,
-    pub used: bool,
+    pub basis: Option<Basis>,
+}
+
+impl Found {
+    pub fn used(&self) -> bool {
+        self.basis.is_some()
+    }
 }
 
 /// The planes that are to be used, in their order.
 pub fn used(found: &[Found]) -> Vec<Plane> {
-    found.iter().filter(|f| f.used).map(|f| f.fit.plane).collect()
+    found.iter().filter(|f| f.used()).map(|f| f.fit.plane).collect()
 }
 
 /// The best plane, and where that one is used the best at right angles to it. Empty where nothing is looked for, or too
@@ -80,11 +122,26 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
     let variation = variation(&evidence);
     let with_silhouette = |fit: Fit| Fit { silhouette: silhouette(g, seen, &fit.plane), ..fit };
     let Some(first) = best(&evidence, variation).map(with_silhouette) else { return Vec::new() };
-    let used = matches!(wanted, Use::On | Use::Two) || first.convinces();
-    let mut all = vec![Found { fit: first, used }];
-    if used && let Some(second) = across(&evidence, variation, &first.plane).map(with_silhouette) {
-        let used = wanted == Use::Two || (wanted == Use::Auto && second.convinces());
-        all.push(Found { fit: second, used });
+    let basis = match wanted {
+        _ if first.convinces() => Some(Basis::Evident),
+        Use::On | Use::Two => Some(Basis::Asked),
+        Use::Auto if first.plausible() => Some(Basis::Assumed),
+        _ => None,
+    };
+    let mut all = vec![Found { fit: first, basis }];
+    // A plane that the photo looks along gives nothing; one across it may all the same.
+    if (basis.is_some() || first.plausible_across())
+        && let Some(second) = across(&evidence, variation, &first.plane).map(with_silhouette)
+    {
+        let basis = match wanted {
+            Use::Auto | Use::Evident | Use::Two if all[0].used() && second.convinces() => Some(Basis::Evident),
+            Use::Two => Some(Basis::Asked),
+            Use::Auto if second.plausible_across() && second.gives() && is_tower(&evidence, &first.plane) => {
+                Some(Basis::Assumed)
+            }
+            _ => None,
+        };
+        all.push(Found { fit: second, basis });
     }
     all
 }
@@ -118,6 +175,18 @@ fn best(evidence: &Evidence, variation: f32) -> Option<Fit> {
     let start = (score(heading, offset).askew(), heading, offset);
     let (_, heading, offset) = closer(start, &|h, o| score(h, o).askew());
     Some(score(heading, offset))
+}
+
+/// Whether the subject stands upright on a footprint about as long as wide: towers, mills and silos have no front.
+fn is_tower(evidence: &Evidence, first: &Plane) -> bool {
+    let extent = |along: Vec3| {
+        let mut at: Vec<f32> = evidence.shape.iter().map(|p| p.dot(along)).collect();
+        at.sort_by(f32::total_cmp);
+        let stray = at.len() / 50;
+        at[at.len() - 1 - stray] - at[stray]
+    };
+    let (wide, deep, high) = (extent(first.normal), extent(first.normal.cross(Vec3::Z)), extent(Vec3::Z));
+    high > 1.2 * wide.max(deep) && wide.max(deep) < 1.3 * wide.min(deep)
 }
 
 /// The best at right angles to `first`: how far off the middle is all there is to find.

@@ -14,7 +14,7 @@ use crate::progress::{Progress, Silent};
 use crate::sources::Sources;
 use crate::splat::train::Kept;
 use crate::splat::{self, Camera, Gaussians};
-use crate::symmetry::{Found, Use};
+use crate::symmetry::{Basis, Found, Use};
 use crate::{Error, Result, views};
 
 /// Compare models of photos with the meshes that the photos were made from.
@@ -149,8 +149,8 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
     Ok(json!({
         "name": truth.name,
         "mesh_seconds": mesh_seconds,
-        "symmetry": done.symmetry.iter().map(|Found { fit: f, used }| json!({
-            "used": used, "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape,
+        "symmetry": done.symmetry.iter().map(|found @ Found { fit: f, basis }| json!({
+            "used": found.used(), "basis": basis.map(Basis::label), "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape,
             "contradicted": f.contradicted, "color": f.color, "pairs": f.pairs, "hidden": f.hidden,
             "silhouette": f.silhouette })).collect::<Vec<_>>(),
         "mesh": scores(&shape),

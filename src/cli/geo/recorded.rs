@@ -99,8 +99,9 @@ pub fn params(
     let planes = symmetry::used(&done.symmetry).len();
     add("symmetry_applied", Some(Param::Bool(planes > 0)));
     add("symmetry_planes_used", Some(Param::Int(planes as i64)));
-    for (Found { fit, .. }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
+    for (Found { fit, basis }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
         let n = fit.plane.normal;
+        add(&format!("{which}_basis"), basis.map(|b| text(b.label().to_owned())));
         let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;
         let distance = f64::from(fit.shape) * placed.scale.metres_per_unit;
         add(&format!("{which}_plane_normal_bearing_deg"), Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
