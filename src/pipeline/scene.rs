@@ -205,8 +205,8 @@ pub fn fit(
     progress.check()?;
 
     let mut schedule = schedule(options, extent, behind, training, begun_from);
-    if adjusted.is_some() {
-        schedule.rates.pose *= ADJUSTED;
+    if let Some(off) = adjusted.as_ref().and_then(|all| cameras::uncertainty(all, |i| !is_held_out(i))) {
+        schedule.rates.pose = schedule.rates.pose.min(pose_rate(off, schedule.iterations, training));
     }
     let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
     let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
@@ -309,14 +309,18 @@ fn extent(eyes: impl Iterator<Item = glam::Vec3> + Clone) -> f32 {
     1.1 * eyes.map(|p| p.distance(middle)).fold(1e-3, f32::max)
 }
 
-/// Steps of poses that were adjusted are so much shorter: they are about right, and long steps at the start, when the Gaussians
-/// are not, would only shake them.
-const ADJUSTED: f32 = 0.1;
 /// How far a pose may go in all its steps, radians, and how long a step is at most and at least.
 const POSES_REACH: f32 = 0.04;
 const POSE_STEPS: [f32; 2] = [2e-4, 4e-3];
 /// The last step as a part of the first.
 const LAST_POSE_STEP: f32 = 0.01;
+
+/// The first step of poses that may go `reach` (radians) in all their steps: the mean of steps that fall exponentially is
+/// (1 − share) / ln(1 / share) of the first.
+fn pose_rate(reach: f32, iterations: usize, photos: usize) -> f32 {
+    let turns = iterations as f32 / photos.max(1) as f32;
+    reach / turns.max(1.0) * LAST_POSE_STEP.recip().ln()
+}
 
 /// The schedule of 30,000 iterations; a shorter run ends its growing half-way and begins it earlier.
 pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize, from: From) -> splat::Options {
@@ -355,8 +359,7 @@ pub fn schedule(options: &Options, extent: f32, behind: [f32; 3], photos: usize,
             color: longer.sqrt() * rates.color,
             harmonics: longer * rates.harmonics,
             exposure: hurry * rates.exposure,
-            // The mean of steps that fall exponentially is (1 − share) / ln(1 / share) of the first.
-            pose: (POSES_REACH / turns.max(1.0) * LAST_POSE_STEP.recip().ln()).clamp(POSE_STEPS[0], POSE_STEPS[1]),
+            pose: pose_rate(POSES_REACH, n, photos).clamp(POSE_STEPS[0], POSE_STEPS[1]),
             pose_share: LAST_POSE_STEP,
             ..rates
         },

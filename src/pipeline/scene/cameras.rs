@@ -100,6 +100,19 @@ pub fn adjusted(poses: &Poses, moves: impl Fn(usize) -> bool) -> Option<Poses> {
     Some(out)
 }
 
+/// How far off poses may still be after their adjustment, radians: three times what a photo of n points is known to where one of them is
+/// off by σ, σ / √n. Training that takes them further follows Gaussians that are not yet right, and at a smaller size than the points
+/// were found at it knows less than they do. `None` where no two photos show the same point.
+pub fn uncertainty(adjusted: &Poses, counts: impl Fn(usize) -> bool) -> Option<f32> {
+    let counted: Vec<usize> = (0..adjusted.photos.len()).filter(|i| counts(*i)).collect();
+    let poses: Vec<Pose> = adjusted.photos.iter().map(|p| (p.rotation, p.translation)).collect();
+    let points: Vec<DVec3> = adjusted.points.iter().map(|p| p.0).collect();
+    let error = reprojection::error(adjusted, &poses, &points, &counts)?;
+    let [each, points] = [counted.len(), error.observations].map(|n| n.max(1) as f64);
+    let focal = counted.iter().map(|i| adjusted.photos[*i].camera.pinhole()[0]).sum::<f64>() / each;
+    Some((3.0 * error.median / focal.max(1.0) / (points / each).sqrt()) as f32)
+}
+
 /// A camera of the unit frame in the poses' own world.
 pub fn in_world(c: &Camera, to_unit: &Similarity) -> Pose {
     carried(&pose(c), &to_unit.inverse())
