@@ -1,6 +1,7 @@
 """Score the whole `orb geo` job, and the network alone inside it, against truth.
 
-    python score.py ORB SET_DIR OUT_DIR [NAME ...] [--photo plain] [--iterations 900] [--true-mask] [--sheet sheet.png]
+    python score.py ORB SET_DIR OUT_DIR [NAME ...] [--photo plain] [--iterations 900] [--symmetry auto] [--true-mask]
+                    [--sheet sheet.png]
 
 SET_DIR/<name>/ holds cameras.json as ../evaluate.py reads it, the photos, mask.png, mesh.glb and the truth views of group
 "gt" that it lists. Every photo goes through `orb geo --stages --height <true height>`; `orb render` draws the network's
@@ -174,10 +175,10 @@ def score_splats(orb, ply, truth, folder):
     return scores, normalised
 
 
-def geo(orb, photo, truth, iterations, target):
+def geo(orb, photo, truth, iterations, symmetry, target):
     """Run `orb geo`; returns the elevation in degrees that it found."""
     run_orb(orb, ["geo", "--origin", "34.5523,-118.4712,740", "--height", float(truth.size[2]), "--iterations", iterations,
-                  "--format", "ply", "--lods", 1, "--stages", "--quiet", "--replace", "-o", target, photo])  # fmt: skip
+                  "--symmetry", symmetry, "--format", "ply", "--lods", 1, "--stages", "--quiet", "--replace", "-o", target, photo])  # fmt: skip
     envelope = json.loads((target / "orb-record.dsse.json").read_text())
     found = []
 
@@ -192,11 +193,11 @@ def geo(orb, photo, truth, iterations, target):
     return float(found[0])
 
 
-def score_photo(orb, truth, view, iterations, out, true_mask):
+def score_photo(orb, truth, view, iterations, symmetry, out, true_mask):
     """Rows of scores for one photo and what a contact sheet shows of it."""
     photo = truth.folder / view.get("file", view["name"] + ".jpg")
     target = out / f"{truth.name}_{view['name']}"
-    elevation = geo(orb, photo, truth, iterations, target)
+    elevation = geo(orb, photo, truth, iterations, symmetry, target)
     mask = coverage(target / "mask.png", 512)
     common = {"mask_iou": iou(mask, truth.mask), "elevation_error_deg": abs(elevation - view["elevation_deg"])}
     rows, pictures = [], {}
@@ -210,7 +211,7 @@ def score_photo(orb, truth, view, iterations, out, true_mask):
         image.putalpha(Image.fromarray((truth.mask * 255 + 0.5).astype(np.uint8)).resize(image.size))
         image.save(cut)
         target = out / f"{truth.name}_{view['name']}_true_mask"
-        elevation = geo(orb, cut, truth, 0, target)
+        elevation = geo(orb, cut, truth, 0, symmetry, target)
         common = {"mask_iou": 1.0, "elevation_error_deg": abs(elevation - view["elevation_deg"])}
         scores, _ = score_splats(orb, target / "network.ply", truth, out / "views")
         rows += [{"stage": "network, true mask", "placement": p} | common | s for p, s in scores.items()]
@@ -252,6 +253,7 @@ def main():
     parser.add_argument(
         "--iterations", type=int, default=900, help="of the optimisation, whatever the machine; 0: network alone"
     )
+    parser.add_argument("--symmetry", default="auto", help="as `orb geo` has it")
     parser.add_argument("--photo", help="only the photos of this name: plain or outdoor")
     parser.add_argument("--true-mask", action="store_true")
     parser.add_argument("--sheet", type=Path)
@@ -267,7 +269,7 @@ def main():
             if args.photo not in (None, view["name"]):
                 continue
             try:
-                found, shown = score_photo(args.orb, truth, view, args.iterations, args.out, args.true_mask)
+                found, shown = score_photo(args.orb, truth, view, args.iterations, args.symmetry, args.out, args.true_mask)
             except RuntimeError as e:
                 failed.append(f"{truth.name} {view['name']}: {e}")
                 print(failed[-1], file=sys.stderr, flush=True)
