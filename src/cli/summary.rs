@@ -60,11 +60,11 @@ pub fn text(s: &Summary) -> String {
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
     let bases: Vec<symmetry::Basis> = s.done.symmetry.iter().filter_map(|f| f.basis).collect();
-    let mirrored = match bases[..] {
-        [] => String::new(),
-        [symmetry::Basis::Assumed] => format!("{:.0}% from the photo mirrored (assumed), ", finest.mirrored * 100.0),
-        [_] => format!("{:.0}% from the photo mirrored, ", finest.mirrored * 100.0),
-        _ => format!("{:.0}% from the photo mirrored at two planes, ", finest.mirrored * 100.0),
+    let assumed = if bases.contains(&symmetry::Basis::Assumed) { " (assumed)" } else { "" };
+    let mirrored = match bases.len() {
+        0 => String::new(),
+        1 => format!("{:.0}% from the photo mirrored{assumed}, ", finest.mirrored * 100.0),
+        _ => format!("{:.0}% from the photo mirrored at two planes{assumed}, ", finest.mirrored * 100.0),
     };
     line("texture", format!("{:.0}% from the photo, {mirrored}the rest invented", finest.seen * 100.0));
     let steps = match report.iterations {
@@ -222,7 +222,7 @@ pub fn json(s: &Summary) -> Result<String> {
         })
         .collect();
     let planes = symmetry::used(&s.done.symmetry).len();
-    let basis = s.done.symmetry.first().and_then(|f| f.basis).map(symmetry::Basis::label);
+    let basis: Vec<_> = s.done.symmetry.iter().filter_map(|f| f.basis).map(symmetry::Basis::label).collect();
     let settled = s.done.settled.iter().map(|r| ("model_pictures", agreement(r).into()));
     let psnr: serde_json::Map<String, serde_json::Value> = qualities(s.done)
         .into_iter()

@@ -57,7 +57,7 @@ impl Fit {
 
     /// The same of the plane at right angles to another one. That a back is like its front is said more rarely.
     fn plausible_across(&self) -> bool {
-        self.askew() < 0.35 && self.silhouette > 0.6
+        self.askew() < 0.2 && self.silhouette > 0.6
     }
 
     fn gives(&self) -> bool {
@@ -110,7 +110,7 @@ pub fn used(found: &[Found]) -> Vec<Plane> {
     found.iter().filter(|f| f.used()).map(|f| f.fit.plane).collect()
 }
 
-/// The best plane, and where that one is used the best at right angles to it. Empty where nothing is looked for, or too
+/// The best plane, and where that one is used or fits about as well the best at right angles to it. Empty where nothing is looked for, or too
 /// little is solid to judge.
 ///
 /// `g`: in the unit frame, Z up.
