@@ -16,6 +16,7 @@ mod doors;
 pub mod dsse;
 pub mod events;
 pub mod evidence;
+pub mod file_lock;
 pub mod inband;
 pub mod interchange;
 pub mod invocation;

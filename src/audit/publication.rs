@@ -6,12 +6,13 @@
 mod place;
 
 use std::collections::BTreeSet;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::canonical;
 use super::checkpoint::Proof;
 use super::disk::{self, Disk};
+use super::file_lock::FileLock;
 use super::inband;
 use super::keys::SigningKey;
 use super::ledger::{Ledger, Recorded};
@@ -90,7 +91,7 @@ pub struct Publication {
     merge: Option<PreparedMerge>,
     disk: Disk,
     published: bool,
-    _lock: Option<File>,
+    _lock: Option<FileLock>,
 }
 
 /// A published folder.

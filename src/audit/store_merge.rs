@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::disk::{self, Disk};
+use super::file_lock::FileLock;
 use super::ledger::Recorded;
 use super::record;
 use super::statement::Subject;
@@ -28,7 +29,7 @@ const SCHEMA: &str = "orb.store-merge/v1";
 pub struct StoreLock {
     root: PathBuf,
     disk: Disk,
-    _lock: File,
+    _lock: FileLock,
 }
 
 /// Takes the store for one writer and undoes what a killed run left.
@@ -40,9 +41,6 @@ pub fn lock_store(root: &Path) -> Result<StoreLock> {
     lock_with(root, Disk::default())
 }
 
-const LOCK_RETRIES: usize = 5;
-const LOCK_PAUSE: std::time::Duration = std::time::Duration::from_millis(20);
-
 pub(super) fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
     let root = root.canonicalize().map_err(|e| Error::io(root, &e))?;
     if !root.is_dir() {
@@ -51,16 +49,7 @@ pub(super) fn lock_with(root: &Path, disk: Disk) -> Result<StoreLock> {
             .found("a file"));
     }
     let lock = open_for_lock(&root).map_err(|e| Error::io(&root, &e))?;
-    let mut attempt = lock.try_lock();
-    // A program that this process is about to start shares the lock for the moment before it is one.
-    for _ in 0..LOCK_RETRIES {
-        if !matches!(attempt, Err(fs::TryLockError::WouldBlock)) {
-            break;
-        }
-        std::thread::sleep(LOCK_PAUSE);
-        attempt = lock.try_lock();
-    }
-    attempt.map_err(|error| match error {
+    let lock = FileLock::try_take(lock).map_err(|error| match error {
         fs::TryLockError::WouldBlock => Error::environment(root.display().to_string())
             .expected("one writer at a time")
             .found("another run of Orb that writes to this store")

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 
 use crate::audit::DataFolder;
 use crate::audit::disk;
+use crate::audit::file_lock::FileLock;
 use crate::{Error, Result};
 
 #[derive(Clone, Debug)]
@@ -38,20 +39,19 @@ impl Place {
         Ok(Place { root })
     }
 
-    /// Held as long as the file is: two servers in one folder would run each other's jobs.
+    /// Held as long as the value lives: two servers in one folder would run each other's jobs.
     ///
     /// # Errors
     /// Environment, where another one runs.
-    pub fn lock(&self) -> Result<File> {
+    pub fn lock(&self) -> Result<FileLock> {
         let path = self.root.join("serve.lock");
         let file = File::options().create(true).append(true).open(&path).map_err(|e| Error::io(&path, &e))?;
-        file.try_lock().map_err(|e| {
+        FileLock::try_take(file).map_err(|e| {
             Error::environment(path.display().to_string())
                 .expected("no other server in this folder")
                 .found(e.to_string())
                 .advice("End the other one, or give this one a folder of its own with --data.")
-        })?;
-        Ok(file)
+        })
     }
 
     pub fn database(&self) -> PathBuf {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use super::{RECORD, SEAL_FILES};
 use crate::audit::disk::{self, Disk};
 use crate::audit::dsse::{Envelope, MAX_ENVELOPE_BYTES};
+use crate::audit::file_lock::FileLock;
 use crate::audit::ledger::Recorded;
 use crate::audit::statement::Statement;
 use crate::{Error, Result};
@@ -135,14 +136,14 @@ pub(super) fn exchange(_: &Path, _: &Path, _: &Disk) -> Result<bool> {
 
 /// Shows other runs that this staging folder is alive.
 #[cfg(unix)]
-pub(super) fn lock_dir(path: &Path) -> std::io::Result<Option<File>> {
+pub(super) fn lock_dir(path: &Path) -> std::io::Result<Option<FileLock>> {
     let file = File::open(path)?;
     // A file system without locks: nothing is swept there either.
-    Ok(file.try_lock().is_ok().then_some(file))
+    Ok(FileLock::try_take(file).ok())
 }
 
 #[cfg(not(unix))]
-pub(super) fn lock_dir(_: &Path) -> std::io::Result<Option<File>> {
+pub(super) fn lock_dir(_: &Path) -> std::io::Result<Option<FileLock>> {
     Ok(None)
 }
 

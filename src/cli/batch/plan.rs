@@ -17,6 +17,7 @@ use super::BatchArgs;
 use super::shard::{Row, Shard, shards};
 use crate::audit::canonical::sha256_hex;
 use crate::audit::disk::{self, Disk};
+use crate::audit::file_lock::FileLock;
 use crate::audit::{DataFolder, time};
 use crate::cli::format::{Format, StoreKind};
 use crate::cli::geo::manifest::{self, Line};
@@ -168,16 +169,15 @@ impl Plan {
     ///
     /// # Errors
     /// Environment, where another does.
-    pub fn lock(&self) -> Result<File> {
+    pub fn lock(&self) -> Result<FileLock> {
         let path = self.work().join("lock");
         let file = File::options().create(true).append(true).open(&path).map_err(|e| Error::io(&path, &e))?;
-        file.try_lock().map_err(|e| {
+        FileLock::try_take(file).map_err(|e| {
             Error::environment(path.display().to_string())
                 .expected("nobody else at this batch")
                 .found(e.to_string())
                 .advice("Wait for the other one, or end it.")
-        })?;
-        Ok(file)
+        })
     }
 
     /// How a shard's last run ended; `None` where it has not, or was killed.

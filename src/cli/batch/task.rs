@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use super::plan::{Failed, Outcome, Plan};
 use crate::audit::disk::{self, Disk};
+use crate::audit::file_lock::FileLock;
 use crate::audit::report::Verdict;
 use crate::audit::{DataFolder, TrustStore, time, verify};
 use crate::cli::geo::manifest::{self, Line};
@@ -32,7 +33,7 @@ pub fn run(plan: &Plan, number: usize, stop: &AtomicBool) -> Result<Outcome> {
     // Two of them, of two job arrays, would wait for each other's store and both fail.
     let lock =
         File::options().create(true).append(true).open(folder.join("lock")).map_err(|e| Error::io(&folder, &e))?;
-    lock.try_lock().map_err(|e| {
+    let _only = FileLock::try_take(lock).map_err(|e| {
         Error::environment(folder.display().to_string()).expected("one run of a shard at a time").found(e.to_string())
     })?;
     let (_, all) = manifest::read(&plan.manifest)?;
