@@ -119,6 +119,27 @@ fn stages_hand_over_the_mask_and_the_networks_gaussians() {
 }
 
 #[test]
+fn the_provenance_of_the_texture_lies_beside_the_model() {
+    let out = published().join("out");
+    let shares = image::open(out.join("texture_provenance.png")).unwrap().into_rgb8();
+    assert!(shares.width() == shares.height() && shares.width() >= 512, "{:?}", shares.dimensions());
+    let mut most = [0usize; 3];
+    for pixel in shares.pixels() {
+        let sum: i32 = pixel.0.iter().map(|v| i32::from(*v)).sum();
+        assert!((sum - 255).abs() <= 2, "{:?} is not a whole", pixel.0);
+        most[(0..3).max_by_key(|k| pixel.0[*k]).unwrap()] += 1;
+    }
+    // A car from the front and one side: the photo, its mirror image and the back each have their part.
+    let all = (shares.width() * shares.height()) as usize;
+    assert!(most.iter().all(|n| n * 10 > all), "invented, seen, mirrored: {most:?} of {all}");
+    let shown = orb(&["audit", "show", "--json"]).arg(&out).output().unwrap();
+    let record: serde_json::Value = serde_json::from_slice(&shown.stdout).unwrap();
+    let seen: f64 = record["predicate"]["params"]["texture_seen"].as_str().unwrap().parse().unwrap();
+    // The picture also has the texels between the charts, in the colours of those beside them.
+    assert!((seen - most[1] as f64 / all as f64).abs() < 0.12, "{seen} by the record, {most:?} of {all}");
+}
+
+#[test]
 fn one_changed_byte_anywhere_is_found_and_named() {
     let copy = tempfile::tempdir().unwrap();
     let out = published().join("out");

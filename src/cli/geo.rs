@@ -383,6 +383,10 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         args.format.iter().copied().filter(|f| !matches!(f, Format::Kmz | Format::Ply)).collect();
     let store_model = format::publish(&formats, &content, target, ground, &mut run.publication)?;
     bar.check()?;
+    if formats.iter().any(|f| f.has_levels(args.write.tiles)) {
+        let picture = export::provenance_png(&done.model.levels[0], &product)?;
+        run.publication.add(export::PROVENANCE, &picture, "image/png", "provenance")?;
+    }
     let preview = export::preview_png(&photo.pixels, &done, &product)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;
     sidecars::publish(&mut run.publication, &labels, &placed, &done, args.format.contains(&Format::Kmz))?;

@@ -11,7 +11,8 @@ use super::simplify::Simplifier;
 use super::smooth::{taubin, vertex_normals};
 use super::unwrap::{Chart, FLAT, ROUND, assemble, charts, split_count};
 use super::{
-    AT_A_TIME, Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, rendered, surrounding_cameras, thin,
+    AT_A_TIME, Level, Mesh, Model, Options, PhotoView, Surface, View, clean, pack, provenance, rendered,
+    surrounding_cameras, thin,
 };
 use crate::progress::Progress;
 use crate::splat::Camera;
@@ -46,10 +47,10 @@ pub(super) fn build(
     for (mesh, &size) in meshes.iter().zip(sizes) {
         progress.check()?;
         textures.push(match textures.is_empty() {
-            true => (baked.image(), baked.shares()),
+            true => (baked.image(), baked.shares(), provenance::shares(&baked)),
             false => {
                 let coarse = transfer(mesh, size, finest, &bvhs[0], &baked);
-                (coarse.image(), coarse.shares())
+                (coarse.image(), coarse.shares(), provenance::shares(&coarse))
             }
         });
     }
@@ -66,15 +67,8 @@ pub(super) fn build(
         .zip(textures)
         .zip(errors)
         .zip(extras)
-        .map(|(((mesh, (texture, [seen, mirrored])), ([error, mean_error], error_to_coarser)), details)| Level {
-            mesh,
-            texture,
-            details,
-            error,
-            mean_error,
-            error_to_coarser,
-            seen,
-            mirrored,
+        .map(|(((mesh, (texture, [seen, mirrored], provenance)), ([error, mean_error], error_to_coarser)), details)| {
+            Level { mesh, texture, details, error, mean_error, error_to_coarser, seen, mirrored, provenance }
         })
         .collect();
     Ok(Model { levels, surface })

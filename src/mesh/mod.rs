@@ -19,6 +19,7 @@ pub mod fuse;
 pub mod levels;
 pub mod opacity;
 pub mod pack;
+pub mod provenance;
 pub mod raster;
 pub mod relax;
 pub mod seams;
@@ -249,6 +250,8 @@ pub struct Level {
     pub seen: f32,
     /// Share of texels coloured from mirror images of the photo.
     pub mirrored: f32,
+    /// The same texel by texel, as large as the texture: [`provenance::shares`].
+    pub provenance: RgbImage,
 }
 
 /// The textured model.

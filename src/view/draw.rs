@@ -102,9 +102,9 @@ impl<'a> Draw<'a> {
     pub fn picture(&mut self, query: &Query, camera: &Camera) -> Result<Vec<u8>> {
         let (width, height) = (camera.width as usize, camera.height as usize);
         let background = if query.dark { [0.09; 3] } else { [0.97; 3] };
-        let layer = match (&mut self.splats, level(self.subject, query.level)) {
+        let layer = match (&mut self.splats, level(self.subject, query)) {
             (_, Some(level)) => of_mesh(self.subject, level, query, camera, background),
-            (Some(splats), None) if query.show == Show::Colour => splats.colours(camera)?,
+            (Some(splats), None) if matches!(query.show, Show::Colour | Show::Provenance) => splats.colours(camera)?,
             (Some(splats), None) => of_splats(self.subject, splats, query.show, camera)?,
             (None, None) => vec![[0; 4]; width * height],
         };
@@ -135,7 +135,7 @@ impl<'a> Draw<'a> {
     pub fn point(&mut self, query: &Query, camera: &Camera) -> Result<Option<Point>> {
         let (x, y) = (query.x, query.y);
         let at = (y.min(camera.height - 1) * camera.width + x.min(camera.width - 1)) as usize;
-        let depth = match (&mut self.splats, level(self.subject, query.level)) {
+        let depth = match (&mut self.splats, level(self.subject, query)) {
             (_, Some(level)) => visibility(&level.mesh.positions, &level.mesh.triangles, camera).depth[at],
             (Some(splats), None) => splats.render(camera)?.median_depth[at],
             (None, None) => 0.0,
@@ -163,7 +163,11 @@ pub fn jpeg(pixels: &[u8], width: u32, height: u32, quality: u8) -> Result<Vec<u
 }
 
 /// The level that a query asks for; the finest where there are no Gaussians to show instead.
-fn level(subject: &Subject, number: usize) -> Option<&Level> {
+fn level<'a>(subject: &'a Subject, query: &Query) -> Option<&'a Level> {
+    if let (Show::Provenance, Some(level)) = (query.show, &subject.provenance) {
+        return Some(level);
+    }
+    let number = query.level;
     let number = if number == 0 && subject.gaussians.is_none() { 1 } else { number };
     (number > 0).then(|| subject.levels.get(number - 1).or(subject.levels.last())).flatten()
 }
@@ -199,7 +203,8 @@ fn of_mesh(subject: &Subject, level: &Level, query: &Query, camera: &Camera, bac
     let drawn = |i: usize| seen.triangle[i] != u32::MAX;
     let alpha: Vec<f32> = (0..seen.depth.len()).map(|i| if drawn(i) { 1.0 } else { 0.0 }).collect();
     let color: Vec<[f32; 3]> = match query.show {
-        Show::Colour => {
+        // A level that provenance is shown of has it for a texture.
+        Show::Colour | Show::Provenance => {
             let background = background.map(|c| (c * 255.0) as u8);
             let image = raster(mesh, Some(&level.texture), camera, background, if query.rest { 2 } else { 1 });
             let pixels = image.pixels().zip(&alpha);

@@ -1,4 +1,4 @@
-//! The levels of detail of a published folder: those of its CDB store.
+//! The levels of detail of a published folder: those of its CDB store, else those of its GLB files.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -10,17 +10,42 @@ use orb_formats::{openflight, sgi};
 
 use super::subject::Level;
 use crate::audit::disk;
+use crate::export::import;
 use crate::mesh::Mesh;
 use crate::{Error, Result};
 
 /// Most bytes of a store's archive that are read.
 const MOST_BYTES: u64 = 256 << 20;
 
-/// The levels of the one model in the folder's store, finest first; none where there is no store.
+/// The levels of the one model in the folder's store, finest first; where there is no store, those of its GLB files.
 ///
 /// # Errors
 /// Usage for a store of several models, and for files that cannot be read.
 pub fn of_folder(folder: &Path) -> Result<Vec<Level>> {
+    let mut levels = of_store(folder)?;
+    if levels.is_empty() {
+        levels = of_glb_files(folder)?;
+    }
+    levels.sort_by_key(|l| std::cmp::Reverse(l.mesh.triangles.len()));
+    Ok(levels)
+}
+
+/// One level a file, as `orb geo` writes them; files of Gaussians have none.
+fn of_glb_files(folder: &Path) -> Result<Vec<Level>> {
+    let entries = std::fs::read_dir(folder).map_err(|e| Error::io(folder, &e))?;
+    let mut files: Vec<_> = entries.filter_map(|e| Some(e.ok()?.path())).collect();
+    files.retain(|p| p.is_file() && p.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb")));
+    files.sort();
+    let mut levels = Vec::new();
+    for path in files {
+        let bytes = disk::read_limited(&path, MOST_BYTES)?;
+        let found = import::read(&path.display().to_string(), &bytes, None)?.levels;
+        levels.extend(found.iter().map(|l| level(&l.mesh, l.texture.clone())));
+    }
+    Ok(levels)
+}
+
+fn of_store(folder: &Path) -> Result<Vec<Level>> {
     let (mut models, mut pictures) = (Vec::new(), Vec::new());
     for entry in disk::walk(folder)? {
         let wanted = entry.name.ends_with(".zip") && entry.name.contains(".cdb/Tiles/");
@@ -52,7 +77,6 @@ pub fn of_folder(folder: &Path) -> Result<Vec<Level>> {
             }
         }
     }
-    levels.sort_by_key(|l| std::cmp::Reverse(l.mesh.triangles.len()));
     Ok(levels)
 }
 

@@ -21,6 +21,8 @@ pub enum Show {
     Colour,
     Depth,
     Normals,
+    /// Where the finest level's texture comes from.
+    Provenance,
 }
 
 /// One picture. Angles in degrees, lengths in the scene's units; azimuth as in [`views::eye`].

@@ -15,10 +15,11 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use serde_json::json;
 
-use super::query::{FIELD, Query};
+use super::query::{FIELD, Query, Show};
 use super::subject::Subject;
 use super::worker::{Refusal, Worker};
 use super::{draw, ground};
+use crate::export::PROVENANCE;
 use crate::web::guard::{MOST_ADDRESS, SCRIPT, STYLE, escaped, harden, is_own_name, part, refuse};
 use crate::{Error, Result};
 
@@ -114,7 +115,7 @@ async fn scene(State(site): State<Arc<Site>>) -> Response {
         "name": subject.name, "banner": subject.banner(), "metric": subject.metric,
         "scale": subject.scale_known, "centre": subject.centre.to_array(), "radius": subject.radius, "field": FIELD,
         "gaussians": subject.gaussians.as_ref().map_or(0, |g| g.len()), "levels": levels.collect::<Vec<_>>(),
-        "photo": subject.photo.is_some(), "photo_elevation": subject.photo_elevation,
+        "provenance": subject.provenance.is_some(), "assumed": subject.assumed, "photo": subject.photo.is_some(), "photo_elevation": subject.photo_elevation,
         "place": place, "grid_step": ground::step(subject.radius), "notes": subject.notes,
     });
     ([(header::CONTENT_TYPE, "application/json")], object.to_string()).into_response()
@@ -151,6 +152,9 @@ async fn photo(State(site): State<Arc<Site>>) -> Response {
 
 fn understood(site: &Site, asked: AskedFor) -> Result<(Query, crate::splat::Camera), String> {
     let Asked(query) = asked.map_err(|e| e.body_text())?;
+    if query.show == Show::Provenance && site.subject.provenance.is_none() {
+        return Err(format!("show: expected a folder with a model and its {PROVENANCE}, found none"));
+    }
     let camera = query.camera(site.subject.centre, site.subject.radius)?;
     Ok((query, camera))
 }
@@ -196,6 +200,8 @@ mod tests {
                 sh: vec![red],
             }),
             levels: Vec::new(),
+            provenance: None,
+            assumed: false,
             place: Some(place),
             metric: true,
             centre: glam::Vec3::Z,
@@ -243,6 +249,7 @@ mod tests {
             ("POST", &own, "localhost", "", 405),
             ("PUT", &own, "localhost", "x", 413),
             ("GET", &own.replace("scene.json", "frame?show=x-ray"), "localhost", "", 400),
+            ("GET", &own.replace("scene.json", "frame?show=provenance"), "localhost", "", 400),
             ("GET", &own.replace("scene.json", "frame?w=-1"), "localhost", "", 400),
             ("GET", &own.replace("scene.json", "frame?el=91"), "localhost", "", 400),
             ("GET", &format!("{own}?{}", "x".repeat(MOST_ADDRESS)), "localhost", "", 414),
@@ -296,12 +303,30 @@ mod tests {
             (image.get_pixel(32, 24).0, image.get_pixel(2, 2).0)
         };
         let close = |a: [u8; 3], b: [u8; 3]| a.iter().zip(b).all(|(a, b)| a.abs_diff(b) < 24);
-        use super::super::query::Show;
         let (ball, paper) = middle(Show::Colour, false);
         assert!(close(ball, [249, 5, 5]) && close(paper, [247; 3]), "{ball:?} {paper:?}");
         assert!(close(middle(Show::Colour, true).1, [23; 3]));
         // Half way between nearest and farthest.
         let (ball, _) = middle(Show::Depth, false);
         assert!(close(ball, [33, 145, 140]), "{ball:?}");
+    }
+
+    #[test]
+    fn where_the_texture_comes_from_is_shown_on_the_finest_level() {
+        let corner = |x: f32, z: f32| glam::Vec3::new(x, 0.0, 1.0 + z);
+        let mesh = crate::mesh::Mesh {
+            positions: vec![corner(-0.4, -0.4), corner(0.4, -0.4), corner(0.0, 0.4)],
+            normals: vec![glam::Vec3::NEG_Y; 3],
+            uvs: vec![glam::Vec2::splat(0.5); 3],
+            triangles: vec![[0, 1, 2]],
+        };
+        let texture = image::RgbImage::from_pixel(2, 2, image::Rgb(crate::mesh::provenance::SEEN));
+        let level = crate::view::subject::Level { mesh, texture };
+        let subject = Subject { provenance: Some(level), ..subject() };
+        let mut draw = Draw::new(&subject, Some(Splats::new(subject.gaussians.as_ref().unwrap(), None).unwrap()));
+        let query = Query { w: 64, h: 48, az: 0.0, el: 0.0, grid: false, show: Show::Provenance, ..Query::default() };
+        let jpeg = draw.picture(&query, &query.camera(subject.centre, subject.radius).unwrap()).unwrap();
+        let [r, g, b] = image::load_from_memory(&jpeg).unwrap().into_rgb8().get_pixel(32, 24).0;
+        assert!(r < 24 && g.abs_diff(158) < 24 && b.abs_diff(115) < 24, "{r} {g} {b}");
     }
 }

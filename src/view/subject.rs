@@ -10,11 +10,13 @@ use super::{draw, levels};
 use crate::audit::marking::Level as Classification;
 use crate::audit::statement::Param;
 use crate::audit::{Marking, inband, publication, verify};
+use crate::export;
 use crate::export::import::{self, Imported, SplatAxes};
 use crate::geo::Placement;
-use crate::mesh::Mesh;
+use crate::mesh::{self, Mesh};
 use crate::preview;
 use crate::splat::{Gaussians, cameras};
+use crate::symmetry::Basis;
 use crate::{Error, Result};
 
 /// Files that are shown, the first that is there.
@@ -38,6 +40,10 @@ pub struct Subject {
     pub gaussians: Option<Gaussians>,
     /// Finest first.
     pub levels: Vec<Level>,
+    /// The finest level in the colours of where its texture comes from.
+    pub provenance: Option<Level>,
+    /// A plane of symmetry that it was mirrored at was assumed, by the record.
+    pub assumed: bool,
     pub place: Option<Placement>,
     /// Lengths are metres.
     pub metric: bool,
@@ -83,6 +89,8 @@ impl Subject {
                 };
                 subject.photo_elevation =
                     text("elevation_deg").and_then(|e| e.parse().ok()).filter(|e: &f32| e.abs() <= 90.0);
+                let assumed = |name| text(name).is_some_and(|basis| basis == Basis::Assumed.label());
+                subject.assumed = assumed("symmetry_basis") || assumed("symmetry_second_basis");
                 subject.heading_known = text("heading_source").zip(text("heading_sigma_deg"));
                 subject.scale_known = text("scale_source").zip(text("scale_sigma_percent"));
             }
@@ -98,6 +106,18 @@ impl Subject {
             match levels::of_folder(path) {
                 Ok(found) => subject.levels = found,
                 Err(e) => subject.notes.push(format!("Levels of detail are not shown: {e}.")),
+            }
+        }
+        let provenance = path.join(export::PROVENANCE);
+        if let (true, Some(finest)) = (provenance.is_file(), subject.levels.first()) {
+            let bytes = read(&provenance)?;
+            markings.extend(inband::marking(export::PROVENANCE, &bytes)?);
+            match image::load_from_memory(&bytes) {
+                Ok(shares) => {
+                    let texture = mesh::provenance::shown(&shares.into_rgb8(), &finest.texture);
+                    subject.provenance = Some(Level { mesh: finest.mesh.clone(), texture });
+                }
+                Err(e) => subject.notes.push(format!("Where the texture comes from is not shown: {e}.")),
             }
         }
         subject.marking = (!markings.is_empty()).then(|| Marking::join_all(&markings));
@@ -130,6 +150,8 @@ impl Subject {
             marking,
             gaussians,
             levels,
+            provenance: None,
+            assumed: false,
             place,
             metric,
             centre,

@@ -95,8 +95,9 @@ const number = (v, digits = 3) => Number(v.toPrecision(digits)).toLocaleString("
 function describe() {
   if (points.length === 2) return;
   const name = look.level ? `level ${look.level}` : scene.gaussians ? "Gaussians" : "level 1";
+  const what = look.show === "provenance" ? "where the texture of level 1 comes from" : `${look.show} of ${name}`;
   const above = camera.el < 0 ? "below" : "above";
-  const words = `Looking ${bearing(camera, scene).toFixed(0)}°${scene.place ? " from north" : ""}, ${Math.abs(camera.el).toFixed(0)}° from ${above}, ${number(camera.dist)} ${unit} away; ${look.show} of ${name}.`;
+  const words = `Looking ${bearing(camera, scene).toFixed(0)}°${scene.place ? " from north" : ""}, ${Math.abs(camera.el).toFixed(0)}° from ${above}, ${number(camera.dist)} ${unit} away; ${what}.`;
   say(measuring ? `${words} Measuring: point ${points.length + 1} of 2.` : words);
   stage.setAttribute("aria-label", `3D view of ${scene.name}. ${words}`);
   frame.alt = `Picture of ${scene.name}. ${words}`;
@@ -154,6 +155,7 @@ function overlay() {
   for (const [x, y] of ends) out.push(element("circle", { cx: x, cy: y, r: 4, class: "rule" }));
   marks.replaceChildren(...out);
   legend.hidden = look.show !== "depth";
+  $("sources").hidden = look.show !== "provenance";
   if (!legend.hidden) {
     const { eye, forward } = axes(shown, scene);
     const middle = add(scene.centre, eye, -1).reduce((sum, v, i) => sum + v * forward[i], 0);
@@ -288,6 +290,7 @@ const keys = {
   "+": () => zoom(0.9), "=": () => zoom(0.9), "-": () => zoom(1 / 0.9),
   f: fit, p: side, n: map, t: () => turntable(!turning), m: () => measure(!measuring), g: grid, c: compare,
   1: () => show("colour"), 2: () => show("depth"), 3: () => show("normals"),
+  4: () => { if (scene.provenance) show("provenance"); },
   l: () => { const all = $("level").options; if (all.length) level(all[($("level").selectedIndex + 1) % all.length].value); },
   Escape: () => { turntable(false); if (measuring) measure(false); },
   Enter: () => { if (measuring) pick(stage.clientWidth / 2, stage.clientHeight / 2); },
@@ -366,6 +369,8 @@ if (scene.levels.length) {
   $("levels").hidden = options.length < 2;
 }
 $("compare").hidden = !scene.photo;
+if (scene.assumed) document.querySelector("#sources .mirrored").textContent = "the photo mirrored, symmetry assumed";
+Object.assign($("provenance"), { hidden: !scene.provenance, disabled: !scene.provenance });
 placed();
 new ResizeObserver(() => {
   if (fitted) camera.dist = fitting(scene, stage.clientWidth, stage.clientHeight);
