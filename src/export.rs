@@ -321,9 +321,11 @@ fn tile(image: RgbImage, caption: &str) -> Tile {
 /// What went in and what the networks saw; the six views.
 fn seen_rows(photo: &RgbImage, subject: &Subject, six: &[(Camera, Frame)]) -> [Vec<Tile>; 2] {
     let small = image::imageops::thumbnail(photo, fitted(photo, 0), fitted(photo, 1));
+    let sure = subject.expected_iou.map(|iou| format!(", expected IoU {iou:.2}"));
+    let mask = format!("subject mask{}", sure.unwrap_or_default());
     let what = vec![
         tile(small.clone(), "photo"),
-        tile(preview::masked(&small, &subject.mask), "subject mask"),
+        tile(preview::masked(&small, &subject.mask), &mask),
         tile(preview::depth_colours(&subject.depth, &subject.mask), "relative depth"),
     ];
     let six = six.iter().zip(views::SIX_AZIMUTHS).map(|((camera, f), azimuth)| {

@@ -112,6 +112,11 @@ impl Fitted {
     pub fn timings(&self) -> &[Timing] {
         &self.clock.timings
     }
+
+    /// The expected IoU of a single photo's mask, where it is doubtful.
+    pub fn doubtful_mask(&self) -> Option<f32> {
+        self.subject.expected_iou.filter(|iou| self.several.is_none() && *iou < models::scene::DOUBTFUL)
+    }
 }
 
 /// Stages 2 to 5. `sources` says what takes the place of the built-in networks, which run on `engine`; `fitter` is where

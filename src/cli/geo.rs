@@ -340,6 +340,13 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         plan.wanted.check_control(&fixes, args.seed)?;
     }
     let (photo, fitted) = front.fit(&chosen.sources, &args.photos, &fixes, fitter, &settings, &bar)?;
+    if let Some(iou) = fitted.doubtful_mask() {
+        eprintln!(
+            "orb: warning: the mask is doubtful: by the network's own probabilities an IoU of {iou:.2} with the subject is to be \
+             expected. Look at preview.png; a photo with less around the subject, a point on it (--point x,y) or a photo cut \
+             out around it helps."
+        );
+    }
     let mut done = pipeline::finish(fitted, fitter, &settings, &bar)?;
     bar.begin("writing and sealing", 0);
 

@@ -57,6 +57,9 @@ pub fn text(s: &Summary) -> String {
     line("heading", format!("{heading} ({})", placement.heading_source.label()));
     let [across, deep, high] = size.to_array().map(|v| with_deviation(v.into(), f64::from(v) * scale.sigma, " m"));
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
+    if let Some(iou) = s.done.subject.expected_iou {
+        line("mask", format!("IoU of {iou:.2} with the subject to be expected"));
+    }
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
     let bases: Vec<symmetry::Basis> = s.done.symmetry.iter().filter_map(|f| f.basis).collect();
@@ -277,6 +280,7 @@ pub fn json(s: &Summary) -> Result<String> {
         "levels": levels,
         "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
         "symmetry": {"applied": planes > 0, "planes": planes, "basis": basis},
+        "mask": {"expected_iou": s.done.subject.expected_iou},
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -45,6 +45,8 @@ pub struct Subject {
     pub scale: (f32, f32),
     /// The photo's own alpha gave the mask.
     pub from_cutout: bool,
+    /// Of the mask with the subject, as the network's probabilities let expect: [`expected_iou`]. `None` for a cut-out.
+    pub expected_iou: Option<f32>,
     /// Of the camera above the subject's centre, as the surroundings tell it.
     pub elevation: Elevation,
 }
@@ -141,6 +143,7 @@ pub fn subject(
         }
     }
     let from_cutout = cutout.is_some();
+    let mut expected = None;
     match cutout {
         Some(alpha) => {
             let data = alpha.as_raw().iter().map(|&v| f32::from(v) / 255.0).collect();
@@ -149,12 +152,37 @@ pub fn subject(
         }
         None => {
             let rough = check(&mask, point.is_none())?;
+            let probability = mask.clone();
             mask = correct(&guide, mask, rough, focus)?;
+            expected = Some(expected_iou(&probability, &mask));
         }
     }
     normalise(&mut depth);
     let bounds = check(&mask, point.is_none())?;
-    Ok(Subject { mask, depth, bounds, scale: (pw as f32 / w as f32, ph as f32 / h as f32), from_cutout, elevation })
+    Ok(Subject {
+        mask,
+        depth,
+        bounds,
+        scale: (pw as f32 / w as f32, ph as f32 / h as f32),
+        from_cutout,
+        expected_iou: expected,
+        elevation,
+    })
+}
+
+/// Below this the mask is said to be doubtful. Of 28 real photographs with masks checked by hand it is so for ten, whose masks have
+/// an IoU of 0.66 to 0.88; of the other 18 masks two are below 0.85.
+pub const DOUBTFUL: f32 = 0.87;
+
+/// The IoU of `mask` > 0.5 with a subject that takes each pixel with its probability: Σ p m / Σ (p + m − p m).
+pub fn expected_iou(probability: &Plane, mask: &Plane) -> f32 {
+    let (mut both, mut any) = (0f64, 0f64);
+    for (p, m) in probability.data.iter().zip(&mask.data) {
+        let (p, m) = (f64::from(p.clamp(0.0, 1.0)), f64::from(u8::from(*m > 0.5)));
+        both += p * m;
+        any += p + m - p * m;
+    }
+    (both / any.max(1e-9)) as f32
 }
 
 /// The rough mask's edge moved to the photo's edges, where the network doubts.
@@ -321,6 +349,17 @@ mod tests {
     }
 
     #[test]
+    fn what_is_half_sure_is_expected_to_overlap_by_half() {
+        let plane = |values: [f32; 4]| Plane { width: 4, height: 1, data: values.to_vec() };
+        let sure = plane([1.0, 1.0, 0.0, 0.0]);
+        assert_eq!(expected_iou(&sure, &sure), 1.0);
+        assert_eq!(expected_iou(&plane([0.5, 0.5, 0.0, 0.0]), &sure), 0.5);
+        // Half of the mask, and as much that the mask has not.
+        assert!((expected_iou(&plane([1.0, 0.0, 1.0, 0.0]), &sure) - 1.0 / 3.0).abs() < 1e-6);
+        assert_eq!(expected_iou(&plane([0.0; 4]), &plane([0.0; 4])), 0.0);
+    }
+
+    #[test]
     fn a_disc_is_found_where_it_is_in_wide_and_tall_photos() {
         for (w, h) in [(640, 360), (360, 640), (300, 300), (2000, 700)] {
             let disc = Disc { centre: (w as f32 * 0.55, h as f32 * 0.45), radius: 70.0 };
@@ -410,7 +449,7 @@ mod tests {
             image::Luma([255 * u8::from((150..250).contains(&x) && (100..220).contains(&y))])
         });
         let found = subject(&disc.photo(400, 300), Some(&alpha), None, &disc).unwrap();
-        assert!(found.from_cutout);
+        assert!(found.from_cutout && found.expected_iou.is_none());
         assert_eq!(found.bounds, [150, 100, 250, 220]);
     }
 

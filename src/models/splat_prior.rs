@@ -281,6 +281,7 @@ mod tests {
             bounds: [20, 10, 60, 30],
             scale: (4.0, 4.0),
             from_cutout: false,
+            expected_iou: None,
             elevation: Elevation { mean: 0.2, spread: 0.05 },
         };
         let crop = crop_around(&subject);

@@ -133,7 +133,15 @@ pub mod tests {
         let posed =
             Posed { name: "a".into(), file: "a".into(), camera, rotation, translation: DVec3::new(0.1, -0.2, 5.0) };
         let elevation = Elevation { mean: 0.0, spread: 0.1 };
-        let subject = Subject { depth: mask.clone(), mask, bounds, scale: (1.0, 1.0), from_cutout: false, elevation };
+        let subject = Subject {
+            depth: mask.clone(),
+            mask,
+            bounds,
+            scale: (1.0, 1.0),
+            from_cutout: false,
+            expected_iou: None,
+            elevation,
+        };
         (posed, pixels, subject)
     }
 
