@@ -1,4 +1,4 @@
-//! What one more model costs in a CDB store that grows: in the whole of it, and in one geocell.
+//! What one more model costs in a CDB store that grows: in the whole of it, in one geocell, and in one tile.
 //!
 //! cargo run --release -p orb-formats --example cdb_growth -- FEATURES
 
@@ -36,45 +36,52 @@ impl Store for Counted<'_> {
 
 type Done = Result<(), Box<dyn std::error::Error>>;
 
+/// Where the models of a store stand.
+struct Area {
+    /// Models of a geocell; the next go into the next one.
+    in_a_cell: usize,
+    /// Degrees of each geocell that they spread over, from its south-west corner.
+    side: f64,
+}
+
 fn main() -> Done {
     let most: usize = std::env::args().nth(1).map_or(Ok(100_000), |n| n.parse())?;
     println!("a store that grows by geocells of {IN_A_CELL} features; one more model in the first of them");
-    let mut store = Memory::default();
-    let mut next = IN_A_CELL;
-    for i in 0..most {
-        let (cell, place) = (i / IN_A_CELL, i % IN_A_CELL);
-        add(&mut store, &model(i, cell, place, IN_A_CELL))?;
-        if i + 1 == next || i + 1 == most {
-            measure(&store, i + 1, 0, IN_A_CELL)?;
-            next *= 10;
-        }
-    }
+    grow(&Area { in_a_cell: IN_A_CELL, side: 1.0 }, IN_A_CELL, most)?;
     println!("one geocell that grows");
-    let mut store = Memory::default();
-    let most = most.min(10_000);
-    let mut next = 10;
-    for i in 0..most {
-        add(&mut store, &model(i, 0, i, most))?;
-        if i + 1 == next || i + 1 == most {
-            measure(&store, i + 1, 0, most)?;
-            next *= 10;
-        }
-    }
-    Ok(())
+    grow(&Area { in_a_cell: most, side: 1.0 }, 10, most)?;
+    // The models' feature tiles are of LOD 5: a thirty-second of a degree, 16,384 points and 32 MB an archive at the most.
+    println!("one tile that grows");
+    let most = most.min(16_384);
+    grow(&Area { in_a_cell: most, side: 1.0 / 32.0 }, 10, most)
 }
 
-fn add(store: &mut Memory, model: &cdb::Model) -> Done {
-    let added = cdb::add_model(store, model)?;
-    store.write(added.files);
+/// Fills a store and measures one more model at `first` features, ten times as many, and so on to `most`.
+fn grow(area: &Area, first: usize, most: usize) -> Done {
+    let mut store = Memory::default();
+    let mut next = first;
+    for i in 0..most {
+        match cdb::add_model(&store, &model(i, i / area.in_a_cell, i % area.in_a_cell, area)) {
+            Ok(added) => store.write(added.files),
+            Err(full) => {
+                println!("after {i}: {full}");
+                break;
+            }
+        }
+        if i + 1 == next || i + 1 == most {
+            measure(&store, i + 1, area)?;
+            next *= 10;
+        }
+    }
     Ok(())
 }
 
 /// The median of some additions that are not kept.
-fn measure(store: &Memory, features: usize, cell: usize, grid: usize) -> Done {
+fn measure(store: &Memory, features: usize, area: &Area) -> Done {
     let mut tries = Vec::new();
     for i in 0..TRIES {
         let counted = Counted { store, bytes: Cell::new(0), files: Cell::new(0) };
-        let mut model = model(i, cell, i * grid / TRIES, grid);
+        let mut model = model(i, 0, i * area.in_a_cell / TRIES, area);
         (model.name, model.heading) = (format!("new{i}"), 90.0);
         let start = Instant::now();
         let added = cdb::add_model(&counted, &model)?;
@@ -91,11 +98,11 @@ fn measure(store: &Memory, features: usize, cell: usize, grid: usize) -> Done {
     Ok(())
 }
 
-/// A model of one level in a grid over a geocell, in an order that fills no part of it first.
-fn model(number: usize, cell: usize, place: usize, places: usize) -> cdb::Model {
-    let side = (places as f64).sqrt().ceil() as usize;
+/// A model of one level in a grid over an area, in an order that fills no part of it first.
+fn model(number: usize, cell: usize, place: usize, area: &Area) -> cdb::Model {
+    let side = (area.in_a_cell as f64).sqrt().ceil() as usize;
     let spread = (place * 48_271) % (side * side);
-    let step = |k: usize| (k as f64 + 0.5) / side as f64;
+    let step = |k: usize| area.side * (k as f64 + 0.5) / side as f64;
     let mesh = Mesh {
         positions: vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 2.0]],
         normals: vec![[0.0, 0.0, 1.0]; 4],

@@ -92,6 +92,8 @@ fn add(
     };
     notes.append(&mut chosen.notes);
     let name = chosen.name;
+    let cell = chain.tiles[&0].cell;
+    let features_kept = if chosen.already_present { 0 } else { chain.kept(&prepared) };
 
     if chosen.already_present {
         notes.push(format!("The store holds this very model at this place already, as {name}: nothing was added."));
@@ -106,14 +108,13 @@ fn add(
         files.append(&mut chosen.files);
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
-    let cell = chain.tiles[&0].cell;
     Ok(Added {
         files,
         folders: if new_store { metadata::EMPTY_FOLDERS.map(String::from).to_vec() } else { Vec::new() },
         class_name: attributes::class_name(model, &name),
         geocell: cell.latitude_name() + &cell.longitude_name(),
         lods: prepared.levels.iter().map(|l| l.placed.lod).collect(),
-        features_kept: if chosen.already_present { 0 } else { chain.kept(&prepared) },
+        features_kept,
         model_name: name,
         already_present: chosen.already_present,
         notes,

@@ -1,6 +1,7 @@
 //! The feature tiles along the quadtree at a model's place.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::attributes::{self, Layer};
 use super::features::FeatureTile;
@@ -17,7 +18,7 @@ pub struct FeatureChain {
     layer: &'static Layer,
     pub tiles: BTreeMap<i8, Tile>,
     /// The features of each tile that will be written, without the new one: read, or inherited from the parent tile.
-    pub contents: BTreeMap<i8, FeatureTile>,
+    pub contents: BTreeMap<i8, Rc<FeatureTile>>,
     /// The finest tile that is made for the model.
     pub reach: i8,
     /// Whether the geocell holds feature tiles.
@@ -50,8 +51,8 @@ impl FeatureChain {
         for (&lod, tile) in &tiles {
             there.insert(lod, exists(tile, "shp")?);
         }
-        let mut contents: BTreeMap<i8, FeatureTile> = BTreeMap::new();
-        let mut coarser: Option<FeatureTile> = None;
+        let mut contents: BTreeMap<i8, Rc<FeatureTile>> = BTreeMap::new();
+        let mut coarser: Option<Rc<FeatureTile>> = None;
         for (&lod, &tile) in &tiles {
             let next_inherits = lod < reach && !there[&(lod + 1)];
             let read = match there[&lod] && (lod >= coarsest || next_inherits) {
@@ -66,6 +67,7 @@ impl FeatureChain {
                 (None, None) if absent => Some(FeatureTile::new(layer, model.dbf_date)),
                 (read, _) => read,
             };
+            let content = content.map(Rc::new);
             if let (true, Some(content)) = (written, &content) {
                 contents.insert(lod, content.clone());
             }
@@ -88,12 +90,12 @@ impl FeatureChain {
         self.contents.get(&prepared.coarsest()).map_or(0, |c| c.points.len())
     }
 
-    /// Adds the model's feature; `material` is its index in the geocell's table.
+    /// The files of the tiles with the model's feature added; `material` is its index in the geocell's table.
     ///
     /// # Errors
     /// When a tile is full, or a table cannot hold a value.
     pub fn add(
-        &self,
+        self,
         model: &Model,
         prepared: &Prepared,
         name: &str,
@@ -101,9 +103,9 @@ impl FeatureChain {
         files: &mut Vec<File>,
     ) -> Result<()> {
         let point = PointZ { x: model.longitude, y: model.latitude, z: model.height, m: 0.0 };
-        for (&lod, content) in &self.contents {
+        for (lod, content) in self.contents {
             let tile = self.tiles[&lod];
-            let mut content = content.clone();
+            let mut content = Rc::unwrap_or_clone(content);
             if lod >= prepared.coarsest() {
                 let best = lod.min(prepared.finest());
                 let value = |a: &str| attributes::value(a, model, prepared, name, material, best);

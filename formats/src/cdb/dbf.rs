@@ -3,6 +3,8 @@
 //! Source: dBASE III+ file structure: a 32-byte header, 32 bytes a field, 0x0D, fixed-length records, 0x1A. Foreign
 //! columns, their order, header flags and deleted records are kept byte for byte.
 
+use std::ops::Range;
+
 use crate::{Error, Result};
 
 const FORMAT: &str = "dBASE table";
@@ -29,7 +31,10 @@ pub struct Table {
     columns: Vec<Column>,
     /// What stands between the field terminator and the first record (dBASE variants).
     after: Vec<u8>,
-    records: Vec<Vec<u8>>,
+    /// One after the other.
+    records: Vec<u8>,
+    /// Bytes of a record: the deletion flag and a value of each column.
+    record_length: usize,
 }
 
 impl Column {
@@ -93,7 +98,8 @@ impl Table {
     pub fn new(columns: Vec<Column>, date: (u16, u8, u8)) -> Table {
         let mut head = [0; 32];
         head[0] = 3;
-        let mut table = Table { head, columns, after: Vec::new(), records: Vec::new() };
+        let record_length = record_length(&columns);
+        let mut table = Table { head, columns, after: Vec::new(), records: Vec::new(), record_length };
         table.set_date(date);
         table
     }
@@ -132,7 +138,7 @@ impl Table {
         if at >= header_length {
             return malformed(at, "the field terminator 0x0D", "the end of the header");
         }
-        let width = 1 + columns.iter().map(Column::width).sum::<usize>();
+        let width = self::record_length(&columns);
         if width != record_length {
             return malformed(10, &format!("a record length of {width}, the sum of the columns"), record_length);
         }
@@ -144,11 +150,11 @@ impl Table {
                 format!("{} bytes", bytes.len()),
             );
         };
-        let records = body.chunks_exact(record_length).map(<[u8]>::to_vec).collect();
+        let records = body.to_vec();
         // Count and lengths are the writer's to fill in.
         let mut head = *head;
         head[4..12].fill(0);
-        Ok(Table { head, columns, after: header[at + 1..].to_vec(), records })
+        Ok(Table { head, columns, after: header[at + 1..].to_vec(), records, record_length })
     }
 
     /// Writes the table.
@@ -156,13 +162,13 @@ impl Table {
     /// # Errors
     /// [`Error::Unsupported`] for a header or record past 65535 bytes or more than 2³² − 1 records.
     pub fn write(&self) -> Result<Vec<u8>> {
-        let (header, record) = (33 + 32 * self.columns.len() + self.after.len(), self.record_length());
+        let (header, record) = (33 + 32 * self.columns.len() + self.after.len(), self.record_length);
         let (Ok(header_length), Ok(record_length), Ok(count)) =
-            (u16::try_from(header), u16::try_from(record), u32::try_from(self.records.len()))
+            (u16::try_from(header), u16::try_from(record), u32::try_from(self.len()))
         else {
             return refuse(format!("a header of {header} and {} records of {record} bytes are too long", self.len()));
         };
-        let mut out = Vec::with_capacity(header + record * self.len() + 1);
+        let mut out = Vec::with_capacity(header + self.records.len() + 1);
         out.extend(self.head);
         out[4..8].copy_from_slice(&count.to_le_bytes());
         out[8..10].copy_from_slice(&header_length.to_le_bytes());
@@ -170,13 +176,18 @@ impl Table {
         self.columns.iter().for_each(|c| out.extend(c.raw));
         out.push(0x0D);
         out.extend(&self.after);
-        self.records.iter().for_each(|r| out.extend(r));
+        out.extend_from_slice(&self.records);
         out.push(0x1A);
         Ok(out)
     }
 
     pub fn len(&self) -> usize {
-        self.records.len()
+        self.records.len() / self.record_length
+    }
+
+    fn record(&self, index: usize) -> Option<&[u8]> {
+        let length = self.record_length;
+        self.records.get(index.checked_mul(length)?..)?.get(..length)
     }
 
     pub fn is_empty(&self) -> bool {
@@ -200,10 +211,23 @@ impl Table {
 
     /// The trimmed text of a value; `None` without such a column or record, or when it is blank.
     pub fn text(&self, record: usize, name: &str) -> Option<String> {
+        let bytes = self.bytes(record, &self.field(name)?)?;
+        Some(String::from_utf8_lossy(bytes).into_owned())
+    }
+
+    /// Where a column's values are in a record, to look at many of them by [`Table::bytes`].
+    pub fn field(&self, name: &str) -> Option<Range<usize>> {
         let (start, width) = self.span(self.column(name)?);
-        let bytes = self.records.get(record)?.get(start..start + width)?;
-        let text = String::from_utf8_lossy(bytes).trim_matches([' ', '\0']).to_string();
-        (!text.is_empty()).then_some(text)
+        Some(start..start + width)
+    }
+
+    /// The trimmed bytes of a value; `None` without such a record, or when it is blank.
+    pub fn bytes(&self, record: usize, field: &Range<usize>) -> Option<&[u8]> {
+        let value = self.record(record)?.get(field.clone())?;
+        let fill = |b: &u8| matches!(b, b' ' | 0);
+        let start = value.iter().position(|b| !fill(b))?;
+        let end = value.iter().rposition(|b| !fill(b))?;
+        value.get(start..=end)
     }
 
     /// A value as a number.
@@ -222,7 +246,7 @@ impl Table {
 
     /// Whether a record is marked as deleted.
     pub fn is_deleted(&self, record: usize) -> bool {
-        self.records.get(record).is_some_and(|r| r.first() == Some(&b'*'))
+        self.record(record).is_some_and(|r| r.first() == Some(&b'*'))
     }
 
     /// Inserts a column at an index; existing records get `value`, or blanks.
@@ -233,25 +257,24 @@ impl Table {
         let index = index.min(self.columns.len());
         let start = 1 + self.columns[..index].iter().map(Column::width).sum::<usize>();
         let filler = value.map_or_else(|| Ok(column.blank()), |v| padded(&column, v))?;
-        for record in &mut self.records {
-            record.splice(start..start, filler.iter().copied());
-        }
+        self.insert_bytes(start, &filler);
         self.columns.insert(index, column);
         Ok(())
     }
 
     /// Adds a blank record and returns its index.
     pub fn push(&mut self) -> usize {
-        let mut record = vec![b' '];
-        self.columns.iter().for_each(|c| record.extend(c.blank()));
-        self.records.push(record);
-        self.records.len() - 1
+        self.records.push(b' ');
+        for column in &self.columns {
+            self.records.extend(column.blank());
+        }
+        self.len() - 1
     }
 
     /// Copies a record of a table with the same columns.
     pub fn push_from(&mut self, other: &Table, record: usize) {
-        if let Some(bytes) = other.records.get(record).filter(|r| r.len() == self.record_length()) {
-            self.records.push(bytes.clone());
+        if let Some(bytes) = other.record(record).filter(|r| r.len() == self.record_length) {
+            self.records.extend_from_slice(bytes);
         }
     }
 
@@ -266,7 +289,8 @@ impl Table {
         }
         let (Some(c), (start, width)) = (self.columns.get(column), self.span(column)) else { return Ok(()) };
         let bytes = padded(c, value)?;
-        if let Some(place) = self.records.get_mut(record).and_then(|r| r.get_mut(start..start + width)) {
+        let at = record.saturating_mul(self.record_length).saturating_add(start);
+        if let Some(place) = self.records.get_mut(at..at.saturating_add(width)) {
             place.copy_from_slice(&bytes);
         }
         Ok(())
@@ -274,7 +298,7 @@ impl Table {
 
     fn widen(&mut self, index: usize, needed: usize) {
         let (start, width) = self.span(index);
-        let Some(column) = self.columns.get_mut(index) else { return };
+        let Some(column) = self.columns.get(index) else { return };
         let right_aligned = match column.kind() {
             b'C' if needed <= 254 => false,
             b'N' | b'F' if needed <= 20 => true,
@@ -283,11 +307,22 @@ impl Table {
         if needed <= width {
             return;
         }
-        column.raw[16] = needed as u8;
         let at = if right_aligned { start } else { start + width };
-        for record in &mut self.records {
-            record.splice(at..at, std::iter::repeat_n(b' ', needed - width));
+        self.insert_bytes(at, &vec![b' '; needed - width]);
+        self.columns[index].raw[16] = needed as u8;
+    }
+
+    /// Puts bytes into every record at a place in it.
+    fn insert_bytes(&mut self, at: usize, bytes: &[u8]) {
+        let mut out = Vec::with_capacity(self.records.len() + self.len() * bytes.len());
+        for record in self.records.chunks_exact(self.record_length) {
+            let (before, after) = record.split_at(at);
+            out.extend_from_slice(before);
+            out.extend_from_slice(bytes);
+            out.extend_from_slice(after);
         }
+        self.records = out;
+        self.record_length += bytes.len();
     }
 
     /// Start and width of a column's bytes in a record.
@@ -295,10 +330,10 @@ impl Table {
         let before = self.columns.iter().take(column).map(Column::width).sum::<usize>();
         (1 + before, self.columns.get(column).map_or(0, Column::width))
     }
+}
 
-    fn record_length(&self) -> usize {
-        1 + self.columns.iter().map(Column::width).sum::<usize>()
-    }
+fn record_length(columns: &[Column]) -> usize {
+    1 + columns.iter().map(Column::width).sum::<usize>()
 }
 
 fn padded(column: &Column, value: &Value) -> Result<Vec<u8>> {
@@ -366,7 +401,8 @@ mod tests {
         t.head[0] = 0x30;
         t.head[29] = 3;
         t.after = vec![7; 263];
-        t.records[1][0] = b'*';
+        let second = t.record_length;
+        t.records[second] = b'*';
         t.insert_column(1, Column::new("ID", b'I', 4, 0), None).unwrap();
         let bytes = t.write().unwrap();
         let back = Table::read(&bytes).unwrap();

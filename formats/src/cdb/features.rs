@@ -2,7 +2,8 @@
 //!
 //! Source: OGC CDB 1.x Volume 1, "Tiled vector datasets" (Requirements 64, 107).
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cell::OnceCell;
+use std::collections::{HashMap, HashSet};
 
 use super::attributes::{Attribute, Layer};
 use super::dbf::{Table, Value};
@@ -13,15 +14,15 @@ use super::store::{self, Store};
 use crate::{Error, File, Result};
 
 /// The features of a tile.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct FeatureTile {
     layer: &'static Layer,
     pub points: Vec<Option<PointZ>>,
     /// One record a point.
     pub instances: Table,
     pub classes: Table,
-    /// The record of each class.
-    class_records: BTreeMap<String, usize>,
+    /// The first record of each class, once it is asked for: most tiles are read to add one feature.
+    class_records: OnceCell<HashMap<Vec<u8>, usize>>,
     /// Files beside the tables that a new tile needs as its parent has them: extended attributes, memos.
     companions: Vec<((u16, u16), &'static str, Vec<u8>)>,
 }
@@ -34,7 +35,7 @@ impl FeatureTile {
         };
         let (instances, classes) = (table(|a| a.instance), table(|a| a.class));
         let (points, companions) = (Vec::new(), Vec::new());
-        FeatureTile { layer, points, instances, classes, class_records: BTreeMap::new(), companions }
+        FeatureTile { layer, points, instances, classes, class_records: OnceCell::new(), companions }
     }
 
     /// Reads the features of a tile; `None` when it has no shapefile.
@@ -60,7 +61,7 @@ impl FeatureTile {
         }
         let classes = read_table(store, &names::path(tile, layer.dataset, layer.classes(), "dbf"))?;
         let classes = classes.unwrap_or_else(|| FeatureTile::new(layer, date).classes);
-        let class_records = index(&classes);
+        let class_records = OnceCell::new();
         Ok(Some(FeatureTile { layer, points, instances, classes, class_records, companions: Vec::new() }))
     }
 
@@ -77,7 +78,7 @@ impl FeatureTile {
             points: Vec::new(),
             instances: self.instances.emptied(),
             classes: self.classes.emptied(),
-            class_records: BTreeMap::new(),
+            class_records: OnceCell::new(),
             companions: self.companions.clone(),
         };
         for (i, point) in self.points.iter().enumerate() {
@@ -86,13 +87,13 @@ impl FeatureTile {
                 out.instances.push_from(&self.instances, i);
             }
         }
-        let used: BTreeSet<_> = (0..out.instances.len()).map(|r| out.instances.text(r, "CNAM")).collect();
-        for i in 0..self.classes.len() {
-            if used.contains(&self.classes.text(i, "CNAM")) && !self.classes.is_deleted(i) {
-                out.classes.push_from(&self.classes, i);
-            }
+        let (instance, class) = (out.instances.field("CNAM"), self.classes.field("CNAM"));
+        let instance = |r| out.instances.bytes(r, instance.as_ref()?);
+        let class = |c| self.classes.bytes(c, class.as_ref()?);
+        let used: HashSet<_> = (0..out.instances.len()).map(instance).collect();
+        for i in (0..self.classes.len()).filter(|&i| used.contains(&class(i)) && !self.classes.is_deleted(i)) {
+            out.classes.push_from(&self.classes, i);
         }
-        out.class_records = index(&out.classes);
         if out.companions.is_empty() && !out.points.is_empty() {
             let mut wanted = vec![(layer.extended(), "dbf"), (layer.extended(), "dbt")];
             wanted.extend(self.instances.has_memo().then_some((layer.points(), "dbt")));
@@ -122,10 +123,10 @@ impl FeatureTile {
         self.points.push(Some(point));
         let record = self.instances.push();
         fill(&mut self.instances, record, self.layer, value)?;
-        if self.class_of(record).is_none() {
+        if !self.has_class(record) {
             let class = self.classes.push();
             fill(&mut self.classes, class, self.layer, value)?;
-            self.class_records.extend(self.classes.text(class, "CNAM").map(|name| (name, class)));
+            self.class_records = OnceCell::new();
         }
         self.instances.set_date(date);
         self.classes.set_date(date);
@@ -143,15 +144,24 @@ impl FeatureTile {
 
     /// The record of a feature's class.
     pub fn class_of(&self, record: usize) -> Option<usize> {
-        self.class_records.get(&self.instances.text(record, "CNAM")?).copied()
+        let records = self.class_records.get_or_init(|| index(&self.classes));
+        records.get(self.instances.bytes(record, &self.instances.field("CNAM")?)?).copied()
+    }
+
+    /// Whether a feature's class is there: one look through the table, where [`FeatureTile::class_of`] makes an index.
+    fn has_class(&self, record: usize) -> bool {
+        let fields = (self.instances.field("CNAM"), self.classes.field("CNAM"));
+        let (Some(instance), Some(class)) = fields else { return false };
+        let name = self.instances.bytes(record, &instance);
+        name.is_some() && (0..self.classes.len()).any(|c| self.classes.bytes(c, &class) == name)
     }
 
     /// Whether a model name or class name is in use here, whatever the case of its letters.
     pub fn uses(&self, model_name: &str, class_name: &str) -> bool {
         [&self.instances, &self.classes].into_iter().any(|t| {
-            (0..t.len()).any(|r| {
-                t.text(r, self.layer.model_name()).is_some_and(|m| m.eq_ignore_ascii_case(model_name))
-                    || t.text(r, "CNAM").is_some_and(|c| c.eq_ignore_ascii_case(class_name))
+            [(self.layer.model_name(), model_name), ("CNAM", class_name)].into_iter().any(|(column, name)| {
+                let same = |b: &[u8]| b.eq_ignore_ascii_case(name.as_bytes());
+                t.field(column).is_some_and(|f| (0..t.len()).any(|r| t.bytes(r, &f).is_some_and(same)))
             })
         })
     }
@@ -159,8 +169,13 @@ impl FeatureTile {
     /// The records of a model, whatever the case of its letters.
     pub fn rows_of<'a>(&'a self, model_name: &'a str) -> impl Iterator<Item = usize> {
         let column = self.layer.model_name();
-        (0..self.points.len())
-            .filter(move |&r| self.text(r, column).is_some_and(|m| m.eq_ignore_ascii_case(model_name)))
+        let (instance, class) = (self.instances.field(column), self.classes.field(column));
+        (0..self.points.len()).filter(move |&r| {
+            // Its own, else that of its class.
+            let own = instance.as_ref().and_then(|f| self.instances.bytes(r, f));
+            let name = own.or_else(|| self.classes.bytes(self.class_of(r)?, class.as_ref()?));
+            name.is_some_and(|n| n.eq_ignore_ascii_case(model_name.as_bytes()))
+        })
     }
 
     /// The tile's files.
@@ -189,8 +204,9 @@ impl FeatureTile {
 }
 
 /// The first record of each class.
-fn index(classes: &Table) -> BTreeMap<String, usize> {
-    (0..classes.len()).rev().filter_map(|c| Some((classes.text(c, "CNAM")?, c))).collect()
+fn index(classes: &Table) -> HashMap<Vec<u8>, usize> {
+    let Some(field) = classes.field("CNAM") else { return HashMap::new() };
+    (0..classes.len()).rev().filter_map(|c| Some((classes.bytes(c, &field)?.to_vec(), c))).collect()
 }
 
 fn read_table(store: &dyn Store, path: &str) -> Result<Option<Table>> {

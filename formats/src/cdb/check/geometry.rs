@@ -98,7 +98,7 @@ fn open(
     if bytes.len() > MAX_BYTES {
         findings.add(10, path, format!("{} bytes, an archive takes at most {MAX_BYTES}", bytes.len()));
     }
-    let mut archive = match Archive::read(bytes, path) {
+    let archive = match Archive::read(bytes, path) {
         Ok(archive) => archive,
         Err(e) => {
             findings.add(10, path, e.to_string());
