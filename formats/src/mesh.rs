@@ -1,5 +1,6 @@
 //! An indexed triangle mesh: what the geometry formats write and read.
 
+use crate::splats::whole;
 use crate::{Error, Result};
 
 const FORMAT: &str = "mesh";
@@ -39,6 +40,14 @@ impl Mesh {
                 self.normals.len(),
                 self.uvs.len()
             ));
+        }
+        // All at once first: most meshes have nothing to name.
+        let finite = self.positions.as_flattened().iter().fold(true, |all, x| all & x.is_finite())
+            & whole(self.normals.as_flattened())
+            & whole(self.uvs.as_flattened());
+        let highest = self.triangles.as_flattened().iter().copied().max();
+        if finite && highest.is_none_or(|v| (v as usize) < count) {
+            return Ok(());
         }
         if let Some(i) = self.positions.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
             return refuse(format!("position {i} is not finite: {:?}", self.positions[i]));

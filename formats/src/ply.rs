@@ -4,12 +4,15 @@
 //! Real-Time Radiance Field Rendering", 2023, whose property names have become the custom. Readers go by name, so the
 //! order is free; the colour coefficients past the first are channel-major in files and basis-major in memory.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 mod compressed;
 mod header;
 mod points;
 mod values;
 
 pub use crate::Splats;
+use crate::splats::whole;
 use crate::{Error, Result, threads};
 use header::{Element, Header};
 pub use points::{Point, points};
@@ -29,32 +32,42 @@ const COLUMNS: usize = 3 + 3 + 3 + REST + 1 + 3 + 4;
 /// [`Error::Unsupported`] for arrays of different lengths, a value that is not finite, a comment that is not one line
 /// of printable ASCII.
 pub fn write(splats: &Splats, comments: &[String]) -> Result<Vec<u8>> {
-    splats.validate(FORMAT)?;
+    splats.check_lengths(FORMAT)?;
     if let Some(bad) = comments.iter().find(|c| !c.bytes().all(|b| (0x20..0x7f).contains(&b))) {
         return refuse(format!("a comment must be one line of printable ASCII, found {bad:?}"));
     }
     let count = splats.positions.len();
     let head = header::of_splats(count, comments);
-    let mut out = head.into_bytes();
-    let start = out.len();
-    out.resize(start + count * COLUMNS * 4, 0);
-    threads::on_rows(&mut out[start..], COLUMNS * 4, |first, rows| {
+    // Zeros that the system brings page by page, when the rows are written.
+    let mut out = vec![0; head.len() + count * COLUMNS * 4];
+    let (start, rows) = out.split_at_mut(head.len());
+    start.copy_from_slice(head.as_bytes());
+    let finite = AtomicBool::new(true);
+    threads::on_rows(rows, COLUMNS * 4, |first, rows| {
+        let mut all = true;
         for (i, bytes) in (first..).zip(rows.chunks_exact_mut(COLUMNS * 4)) {
             let mut row = [0.0f32; COLUMNS]; // normals stay 0
             let sh = &splats.sh[i];
             row[0..3].copy_from_slice(&splats.positions[i]);
             row[6..9].copy_from_slice(&sh[0]);
-            for (basis, rgb) in sh[1..].iter().enumerate() {
-                for (channel, value) in rgb.iter().enumerate() {
-                    row[9 + channel * (BASES - 1) + basis] = *value;
+            for basis in 1..BASES {
+                for channel in 0..3 {
+                    row[9 + channel * (BASES - 1) + basis - 1] = sh[basis][channel];
                 }
             }
             row[54] = splats.logit_opacities[i];
             row[55..58].copy_from_slice(&splats.log_scales[i]);
             row[58..62].copy_from_slice(&splats.rotations[i]);
+            all &= whole(&row);
             bytes.chunks_exact_mut(4).zip(&row).for_each(|(to, value)| to.copy_from_slice(&value.to_le_bytes()));
         }
+        if !all {
+            finite.store(false, Ordering::Relaxed);
+        }
     });
+    if !finite.into_inner() {
+        splats.check_finite(FORMAT)?; // names the splat
+    }
     Ok(out)
 }
 

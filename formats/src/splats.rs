@@ -31,6 +31,12 @@ impl Splats {
     /// # Errors
     /// [`Error::Unsupported`] naming the lengths or the first splat that breaks the rule.
     pub fn validate(&self, format: &'static str) -> Result<()> {
+        self.check_lengths(format)?;
+        self.check_finite(format)
+    }
+
+    /// The first half of [`Splats::validate`].
+    pub(crate) fn check_lengths(&self, format: &'static str) -> Result<()> {
         let count = self.positions.len();
         let lengths = [self.log_scales.len(), self.rotations.len(), self.logit_opacities.len(), self.sh.len()];
         if lengths.iter().any(|&l| l != count) {
@@ -43,7 +49,12 @@ impl Splats {
                 ),
             ));
         }
-        let whole = |values: &[f32]| values.iter().fold(true, |all, x| all & x.is_finite());
+        Ok(())
+    }
+
+    /// The second half of [`Splats::validate`]: the lengths have been checked.
+    pub(crate) fn check_finite(&self, format: &'static str) -> Result<()> {
+        let count = self.positions.len();
         let shapes = [self.positions.as_flattened(), self.log_scales.as_flattened(), self.rotations.as_flattened()];
         if shapes.iter().all(|s| whole(s))
             && whole(&self.logit_opacities)
@@ -61,6 +72,11 @@ impl Splats {
             None => Ok(()),
         }
     }
+}
+
+/// Whether all values are finite numbers.
+pub(crate) fn whole(values: &[f32]) -> bool {
+    values.iter().fold(true, |all, x| all & x.is_finite())
 }
 
 /// The logistic function: logit → opacity.

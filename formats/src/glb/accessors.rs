@@ -3,6 +3,7 @@
 use super::FORMAT;
 use super::json::{Accessor, Primitive, Root};
 use super::read::missing;
+use crate::splats::whole;
 use crate::{Error, Result};
 
 /// Typed access to the binary chunk.
@@ -11,8 +12,19 @@ pub struct Accessors<'a> {
     pub bin: &'a [u8],
 }
 
-impl Accessors<'_> {
-    pub fn view(&self, index: usize) -> Result<(&[u8], Option<usize>)> {
+/// The rows of an accessor, all of them inside the file.
+pub struct Rows<'a> {
+    bytes: &'a [u8],
+    stride: usize,
+    pub count: usize,
+    component_type: u32,
+    normalized: bool,
+}
+
+const FLOAT: u32 = 5126;
+
+impl<'a> Accessors<'a> {
+    pub fn view(&self, index: usize) -> Result<(&'a [u8], Option<usize>)> {
         let view = self.root.buffer_views.get(index).ok_or_else(|| missing("buffer view", index))?;
         let embedded = view.buffer == 0 && self.root.buffers.first().is_some_and(|b| b.uri.is_none());
         if !embedded {
@@ -38,8 +50,8 @@ impl Accessors<'_> {
         Ok(positions.max(corners / 3))
     }
 
-    /// Every component, row by row; integers as they are, or as −1..1 and 0..1 where normalised (glTF 2.0 §3.6.2.2).
-    pub fn values(&self, index: usize, width: usize) -> Result<Vec<f64>> {
+    /// The rows of so many components; those of vectors of four may be taken for three.
+    pub fn rows(&self, index: usize, width: usize) -> Result<Rows<'a>> {
         let accessor = self.accessor(index)?;
         let expected = ["", "SCALAR", "VEC2", "VEC3", "VEC4"][width];
         if accessor.kind != expected && !(width == 3 && accessor.kind == "VEC4") {
@@ -57,51 +69,82 @@ impl Accessors<'_> {
         let Some(view) = accessor.buffer_view else {
             return Err(Error::unsupported(FORMAT, format!("accessor {index} has no data")));
         };
-        let size = match accessor.component_type {
-            5120 | 5121 => 1,
-            5122 | 5123 => 2,
-            5125 | 5126 => 4,
-            other => {
-                return Err(Error::malformed(
-                    FORMAT,
-                    20,
-                    "component type 5120 to 5126 without 5124",
-                    other.to_string(),
-                ));
-            }
-        };
+        let row = size(accessor.component_type)? * stored;
         let (bytes, stride) = self.view(view)?;
-        let row = size * stored;
         let stride = stride.unwrap_or(row);
-        let room = bytes.len().checked_sub(accessor.byte_offset);
+        let rows = bytes.get(accessor.byte_offset..);
         let needed = accessor.count.checked_sub(1).map(|n| n.checked_mul(stride).and_then(|n| n.checked_add(row)));
-        let fits = match (room, needed) {
-            (Some(_), None) => true,
-            (Some(room), Some(Some(needed))) => needed <= room,
-            _ => false,
-        };
-        if stride < row || !fits {
+        let rows = rows.filter(|rows| needed.is_none_or(|n| n.is_some_and(|n| n <= rows.len())));
+        let Some(rows) = rows.filter(|_| stride >= row) else {
             let expected = format!("accessor {index} inside its view of {} bytes", bytes.len());
             let found = format!("{} rows of {row} every {stride} from {}", accessor.count, accessor.byte_offset);
             return Err(Error::malformed(FORMAT, 20, expected, found));
-        }
-        let mut out = Vec::with_capacity(accessor.count * width);
-        for i in 0..accessor.count {
-            let at = accessor.byte_offset + i * stride;
-            for cell in bytes[at..at + size * width].chunks_exact(size) {
-                out.push(number(cell, accessor.component_type, accessor.normalized));
-            }
-        }
-        Ok(out)
+        };
+        Ok(Rows {
+            bytes: rows,
+            stride,
+            count: accessor.count,
+            component_type: accessor.component_type,
+            normalized: accessor.normalized,
+        })
     }
 
     /// Rows of finite floats.
     pub fn vectors<const N: usize>(&self, index: usize) -> Result<Vec<[f32; N]>> {
-        let values = self.values(index, N)?;
-        if values.iter().any(|v| !(*v as f32).is_finite()) {
+        let rows = self.rows(index, N)?;
+        let values: Vec<[f32; N]> = (0..rows.count).map(|i| rows.row(i)).collect();
+        if !whole(values.as_flattened()) {
             return Err(Error::malformed(FORMAT, 20, format!("finite numbers in accessor {index}"), "others"));
         }
-        Ok(values.chunks_exact(N).map(|row| std::array::from_fn(|i| row[i] as f32)).collect())
+        Ok(values)
+    }
+
+    /// Numbers of vertices: unsigned integers of any size (glTF 2.0 §3.7.2.1).
+    pub fn indices(&self, index: usize) -> Result<Vec<u32>> {
+        let rows = self.rows(index, 1)?;
+        let at = |i: usize| &rows.bytes[i * rows.stride..];
+        Ok(match rows.component_type {
+            5121 => (0..rows.count).map(|i| at(i)[0].into()).collect(),
+            5123 => (0..rows.count).map(|i| u16::from_le_bytes([at(i)[0], at(i)[1]]).into()).collect(),
+            5125 if rows.stride == 4 => {
+                let words = rows.bytes[..4 * rows.count].chunks_exact(4);
+                words.map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
+            }
+            5125 => {
+                let word = |b: &[u8]| u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+                (0..rows.count).map(|i| word(at(i))).collect()
+            }
+            other => {
+                let expected = format!("unsigned integers in accessor {index}");
+                return Err(Error::malformed(FORMAT, 20, expected, format!("component type {other}")));
+            }
+        })
+    }
+}
+
+impl Rows<'_> {
+    /// A row as floats: integers as they are, or as −1..1 and 0..1 where normalised (glTF 2.0 §3.6.2.2).
+    #[inline]
+    pub fn row<const N: usize>(&self, i: usize) -> [f32; N] {
+        let row = &self.bytes[i * self.stride..];
+        if self.component_type == FLOAT {
+            let row = &row[..4 * N];
+            return std::array::from_fn(|c| {
+                f32::from_le_bytes([row[4 * c], row[4 * c + 1], row[4 * c + 2], row[4 * c + 3]])
+            });
+        }
+        let size = size(self.component_type).unwrap_or(1);
+        std::array::from_fn(|c| number(&row[c * size..(c + 1) * size], self.component_type, self.normalized) as f32)
+    }
+}
+
+/// Bytes of a component.
+fn size(component_type: u32) -> Result<usize> {
+    match component_type {
+        5120 | 5121 => Ok(1),
+        5122 | 5123 => Ok(2),
+        5125 | FLOAT => Ok(4),
+        other => Err(Error::malformed(FORMAT, 20, "component type 5120 to 5126 without 5124", other.to_string())),
     }
 }
 

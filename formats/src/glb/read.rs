@@ -164,11 +164,12 @@ fn triangle_mesh(accessors: &Accessors, primitive: &Primitive, here: &Transform)
         None => vec![[0.0; 2]; count],
     };
     let corners: Vec<u32> = match primitive.indices {
-        Some(index) => accessors.values(index, 1)?.into_iter().map(|v| v as u32).collect(),
+        Some(index) => accessors.indices(index)?,
         None => (0..count as u32).collect(),
     };
-    if uvs.len() != count || corners.iter().any(|&c| c as usize >= count) {
-        let found = format!("{} texture coordinates, indices to {:?}", uvs.len(), corners.iter().max());
+    let highest = corners.iter().max();
+    if uvs.len() != count || highest.is_some_and(|&c| c as usize >= count) {
+        let found = format!("{} texture coordinates, indices to {highest:?}", uvs.len());
         return Err(Error::malformed(FORMAT, 20, format!("{count} vertices throughout"), found));
     }
     let mut triangles = triangles(primitive.mode.unwrap_or(4), &corners);
@@ -176,17 +177,33 @@ fn triangle_mesh(accessors: &Accessors, primitive: &Primitive, here: &Transform)
         triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
     let out = |[x, y, z]: [f64; 3]| [x, -z, y];
-    let positions: Vec<[f64; 3]> = positions.iter().map(|p| out(here.point(p.map(f64::from)))).collect();
+    // Most files have nodes that move nothing.
+    let still = *here == Transform::NONE;
+    let positions: Vec<[f64; 3]> = match still {
+        true => positions.iter().map(|p| out(p.map(f64::from))).collect(),
+        false => positions.iter().map(|p| out(here.point(p.map(f64::from)))).collect(),
+    };
     let normals = match optional("NORMAL") {
         Some(index) => {
             let normals: Vec<[f32; 3]> = accessors.vectors(index)?;
-            normals.iter().map(|n| out(here.normal(n.map(f64::from))).map(|x| x as f32)).collect()
+            let turned = |n: &[f32; 3]| match still && (dot32(n, n) - 1.0).abs() < UNIT {
+                true => [n[0], -n[2], n[1]],
+                false => out(here.normal(n.map(f64::from))).map(|x| x as f32),
+            };
+            normals.iter().map(turned).collect()
         }
         None => crate::mesh::smooth_normals(&positions, &triangles),
     };
     let mesh = Mesh { positions, normals, uvs: uvs.iter().map(|&[u, v]| [u, 1.0 - v]).collect(), triangles };
     mesh.validate()?;
     Ok(mesh)
+}
+
+/// How far the square of a normal's length is from 1 at the most where it is taken as it is: what rounding to f32 gives.
+const UNIT: f32 = 1e-6;
+
+fn dot32(a: &[f32; 3], b: &[f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Lists (4), strips (5) and fans (6) as triangles.

@@ -3,19 +3,22 @@
 //! Scales are metres and opacities 0..1 in the file, both without the logarithms of training; rotations have w last.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde_json::{Map, Value, json};
 
 use super::accessors::Accessors;
 use super::write::Buffer;
 use super::{FORMAT, SPLATTING};
-use crate::splats::{BASES, logit, sigmoid, unit};
-use crate::{Error, Result, Splats};
+use crate::splats::{BASES, logit, sigmoid, unit, whole};
+use crate::{Error, Result, Splats, threads};
 
 /// Y_0^0 = 1 / (2 √π).
 const SH_C0: f32 = 0.282_094_8;
 /// Opacity 0 and 1 read as these logits: beyond them a float is 0 or 1.
 const LIMIT: f32 = 16.0;
+/// Splats that are read together, so that their harmonics, which come column by column, stay in the nearest cache.
+const BLOCK: usize = 128;
 
 /// `SH_DEGREE_1_COEF_2` of the basis 3: degree 1 has the bases 1 to 3.
 fn sh_name(basis: usize) -> String {
@@ -83,31 +86,53 @@ pub fn read(attributes: &BTreeMap<String, usize>, accessors: &Accessors) -> Resu
         None => Err(Error::malformed(FORMAT, 0, format!("the attribute {name} of splats"), "none")),
     };
     let own = |name: &str| column(&format!("{SPLATTING}:{name}"));
-    let positions: Vec<[f32; 3]> = accessors.vectors(column("POSITION")?)?;
-    let rotations: Vec<[f32; 4]> = accessors.vectors(own("ROTATION")?)?;
-    let scales: Vec<[f32; 3]> = accessors.vectors(own("SCALE")?)?;
-    let opacities: Vec<[f32; 1]> = accessors.vectors(own("OPACITY")?)?;
-    let mut sh = vec![[[0.0; 3]; 16]; positions.len()];
+    let positions = accessors.rows(column("POSITION")?, 3)?;
+    let rotations = accessors.rows(own("ROTATION")?, 4)?;
+    let scales = accessors.rows(own("SCALE")?, 3)?;
+    let opacities = accessors.rows(own("OPACITY")?, 1)?;
+    let mut bases = Vec::new();
     for basis in 0..16 {
         let name = sh_name(basis);
         let Some(&accessor) = attributes.get(&name) else {
             column(if basis == 0 { &name } else { "POSITION" })?;
             break;
         };
-        let values: Vec<[f32; 3]> = accessors.vectors(accessor)?;
-        same(values.len(), positions.len())?;
-        sh.iter_mut().zip(values).for_each(|(sh, rgb)| sh[basis] = rgb);
+        bases.push(accessors.rows(accessor, 3)?);
     }
-    for count in [rotations.len(), scales.len(), opacities.len()] {
-        same(count, positions.len())?;
+    for rows in [&rotations, &scales, &opacities].into_iter().chain(&bases) {
+        same(rows.count, positions.count)?;
     }
-    Ok(Splats {
-        positions,
-        log_scales: scales.into_iter().map(|s| s.map(|x| x.max(f32::MIN_POSITIVE).ln())).collect(),
-        rotations: rotations.into_iter().map(|[x, y, z, w]| [w, x, y, z]).collect(),
-        logit_opacities: opacities.into_iter().map(|[o]| logit(o, LIMIT)).collect(),
-        sh,
-    })
+    let finite = AtomicBool::new(true);
+    let splats = threads::splats(positions.count, |part| {
+        let mut all = true;
+        for start in (0..part.positions.len()).step_by(BLOCK) {
+            let block = start..(start + BLOCK).min(part.positions.len());
+            for i in block.clone() {
+                let at = part.first + i;
+                part.positions[i] = positions.row(at);
+                let ([x, y, z, w], scale, [opacity]) = (rotations.row(at), scales.row::<3>(at), opacities.row(at));
+                all &= whole(&scale) & opacity.is_finite();
+                part.rotations[i] = [w, x, y, z];
+                part.log_scales[i] = scale.map(|x| x.max(f32::MIN_POSITIVE).ln());
+                part.logit_opacities[i] = logit(opacity, LIMIT);
+            }
+            for (basis, rows) in bases.iter().enumerate() {
+                for i in block.clone() {
+                    part.sh[i][basis] = rows.row(part.first + i);
+                }
+            }
+            all &= whole(part.positions[block.clone()].as_flattened())
+                & whole(part.rotations[block.clone()].as_flattened())
+                & whole(part.sh[block].as_flattened().as_flattened());
+        }
+        if !all {
+            finite.store(false, Ordering::Relaxed);
+        }
+    });
+    if !finite.into_inner() {
+        return Err(Error::malformed(FORMAT, 0, "finite numbers in the attributes of splats", "others"));
+    }
+    Ok(splats)
 }
 
 fn same(found: usize, expected: usize) -> Result<()> {

@@ -155,9 +155,10 @@ impl<'a> Source<'a> {
         Ok((0..count).map(|i| at + 8 + i * size).collect())
     }
 
-    fn floats(&self, at: usize, count: usize) -> Result<Vec<f32>> {
-        let bytes = self.slice(at, count.saturating_mul(4))?;
-        Ok(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
+    fn floats<const N: usize>(&self, at: usize, count: usize) -> Result<Vec<[f32; N]>> {
+        let bytes = self.slice(at, count.saturating_mul(4 * N))?;
+        let float = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+        Ok(bytes.chunks_exact(4 * N).map(|row| std::array::from_fn(|i| float(&row[4 * i..]))).collect())
     }
 }
 
@@ -322,8 +323,8 @@ impl Crate<'_> {
             |at: usize| indices(at)?.into_iter().map(|t| Ok(self.token(t, at)?.to_owned())).collect::<Result<Vec<_>>>();
         Ok(match kind {
             code::DOUBLE => Value::Double(f64::from_bits(self.all.u64(place)?)),
-            code::VEC3F => Value::Vec3f(rows(&self.all.floats(place, 3)?)[0]),
-            code::VEC4F => Value::Vec4f(rows(&self.all.floats(place, 4)?)[0]),
+            code::VEC3F => Value::Vec3f(self.all.floats(place, 1)?[0]),
+            code::VEC4F => Value::Vec4f(self.all.floats(place, 1)?[0]),
             code::TOKENS => Value::Tokens(tokens(place)?),
             code::TOKEN_LIST if matches!(self.all.u8(place)?, PREPENDED | EXPLICIT) => {
                 Value::TokenList(tokens(place + 1)?)
@@ -380,10 +381,7 @@ impl Crate<'_> {
         if count > self.all.bytes.len() {
             return Err(malformed(place, format!("at most {} values", self.all.bytes.len()), count.to_string()));
         }
-        let floats = |width: usize| {
-            self.spend(count.saturating_mul(8 * width))?;
-            self.all.floats(data, count.saturating_mul(width))
-        };
+        let spend = |width: usize| self.spend(count.saturating_mul(8 * width));
         Ok(match kind {
             // Fewer than 16 are never packed.
             code::INT if packed && count >= 16 => Value::Ints(self.ints(data, count)?.0),
@@ -393,15 +391,24 @@ impl Crate<'_> {
                 Value::Ints(self.all.slice(data, count.saturating_mul(4))?.chunks_exact(4).map(int).collect())
             }
             _ if packed => Value::Other(kind),
-            code::FLOAT => Value::Floats(floats(1)?),
-            code::QUATF => Value::Quatfs(rows(&floats(4)?).into_iter().map(|[x, y, z, w]| [w, x, y, z]).collect()),
-            code::VEC2F => Value::Vec2fs(rows(&floats(2)?)),
-            code::VEC3F => Value::Vec3fs(rows(&floats(3)?)),
+            code::FLOAT => {
+                spend(1)?;
+                Value::Floats(self.all.floats(data, count)?.into_iter().map(|[x]| x).collect())
+            }
+            code::QUATF => {
+                spend(4)?;
+                let turns = self.all.floats(data, count)?;
+                Value::Quatfs(turns.into_iter().map(|[x, y, z, w]| [w, x, y, z]).collect())
+            }
+            code::VEC2F => {
+                spend(2)?;
+                Value::Vec2fs(self.all.floats(data, count)?)
+            }
+            code::VEC3F => {
+                spend(3)?;
+                Value::Vec3fs(self.all.floats(data, count)?)
+            }
             _ => Value::Other(kind),
         })
     }
-}
-
-fn rows<const N: usize>(values: &[f32]) -> Vec<[f32; N]> {
-    values.chunks_exact(N).map(|row| std::array::from_fn(|i| row[i])).collect()
 }

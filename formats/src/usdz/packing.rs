@@ -136,23 +136,31 @@ pub fn unpack_ints(packed: &[u8], count: usize, at: usize) -> Result<Vec<i32>> {
         return Err(Error::unsupported(FORMAT, "integers in several chunks"));
     }
     unpack_chunk(rest, most, &mut bytes).ok_or_else(broken)?;
+    let end = bytes.len();
+    // So that four bytes can be taken for every integer; what is beyond the end is noticed there.
+    bytes.extend([0; 4]);
     let (common, rest) = bytes.split_first_chunk().ok_or_else(broken)?;
     let common = i32::from_le_bytes(*common);
-    let (codes, mut rest) = rest.split_at_checked(codes).ok_or_else(broken)?;
-    let mut value = 0i32;
-    let mut out = Vec::with_capacity(count);
-    for i in 0..count {
-        let width = [0, 1, 2, 4][usize::from(codes[i / 4] >> (i % 4 * 2) & 3)];
-        let (stored, tail) = rest.split_at_checked(width).ok_or_else(broken)?;
-        rest = tail;
-        let difference = match *stored {
-            [a] => i32::from(a as i8),
-            [a, b] => i32::from(i16::from_le_bytes([a, b])),
-            [a, b, c, d] => i32::from_le_bytes([a, b, c, d]),
-            _ => common,
-        };
-        value = value.wrapping_add(difference);
-        out.push(value);
+    let (codes, rest) = rest.split_at_checked(codes).ok_or_else(broken)?;
+    let (mut value, mut at) = (0i32, 0);
+    let mut out = vec![0; count];
+    for (group, codes) in out.chunks_mut(4).zip(codes) {
+        for (i, to) in group.iter_mut().enumerate() {
+            let word = rest.get(at..).and_then(|rest| rest.first_chunk()).ok_or_else(broken)?;
+            let word = i32::from_le_bytes(*word);
+            let (difference, width) = match codes >> (2 * i) & 3 {
+                0 => (common, 0),
+                1 => (i32::from(word as i8), 1),
+                2 => (i32::from(word as i16), 2),
+                _ => (word, 4),
+            };
+            value = value.wrapping_add(difference);
+            at += width;
+            *to = value;
+        }
+    }
+    if 4 + codes.len() + at > end {
+        return Err(broken());
     }
     Ok(out)
 }

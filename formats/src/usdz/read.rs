@@ -1,6 +1,6 @@
 //! Package → asset.
 
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 
 use zip::{CompressionMethod, ZipArchive};
 
@@ -17,7 +17,7 @@ use crate::{Error, Label, Mesh, Place, Result};
 /// [`Error::Malformed`] for a package whose entries are compressed or do not begin at multiples of 64, and for a layer
 /// that breaks its format; [`Error::Unsupported`] for layers that are text, and for other polygons.
 pub fn read(bytes: &[u8]) -> Result<Asset> {
-    let mut entries = entries(bytes)?;
+    let entries = entries(bytes)?;
     let (name, layer) = root(&entries)?;
     let stage = decode(layer)?;
     let mut out = Asset { label: label(&stage), ..Asset::default() };
@@ -58,7 +58,7 @@ pub fn read(bytes: &[u8]) -> Result<Asset> {
             return Err(Error::malformed(FORMAT, 0, format!("the file {picture}"), "none"));
         };
         let media_type = if picture.ends_with(".png") { "image/png" } else { "image/jpeg" };
-        out.images.push(EncodedImage { media_type: media_type.into(), bytes: std::mem::take(&mut entries[at].1) });
+        out.images.push(EncodedImage { media_type: media_type.into(), bytes: entries[at].1.to_vec() });
     }
     Ok(out)
 }
@@ -81,14 +81,15 @@ fn index(names: &mut Vec<String>, name: &str) -> usize {
     })
 }
 
-/// Names and contents. What is stored, and not compressed, is no larger than the file.
-fn entries(bytes: &[u8]) -> Result<Vec<(String, Vec<u8>)>> {
+/// Names and contents, whose check sums are looked at. What is stored, and not compressed, stays where it is.
+fn entries(bytes: &[u8]) -> Result<Vec<(String, &[u8])>> {
     let broken = |e: zip::result::ZipError| Error::malformed(FORMAT, 0, "a ZIP archive", e.to_string());
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(broken)?;
     let mut out = Vec::new();
+    // Entries that lie on each other would be looked at more than once.
     let mut left = bytes.len() as u64;
     for i in 0..archive.len() {
-        let mut file = archive.by_index(i).map_err(broken)?;
+        let file = archive.by_index(i).map_err(broken)?;
         let name = file.name().map_err(broken)?.into_owned();
         let start = file.data_start().unwrap_or(1);
         if file.compression() != CompressionMethod::Stored || start % ALIGNMENT != 0 {
@@ -98,19 +99,22 @@ fn entries(bytes: &[u8]) -> Result<Vec<(String, Vec<u8>)>> {
         left = left.checked_sub(file.size()).ok_or_else(|| {
             Error::malformed(FORMAT, start as usize, format!("at most {left} more bytes"), file.size().to_string())
         })?;
-        let mut content = Vec::new();
-        let size = file.size();
-        // One byte more, so that the end is met and the check sum looked at.
-        file.by_ref()
-            .take(size + 1)
-            .read_to_end(&mut content)
-            .map_err(|e| Error::malformed(FORMAT, start as usize, format!("the content of {name}"), e.to_string()))?;
-        out.push((name, content));
+        let content = usize::try_from(start).ok().and_then(|start| bytes.get(start..));
+        let content = content.zip(usize::try_from(file.size()).ok()).and_then(|(rest, size)| rest.get(..size));
+        let mut sum = flate2::Crc::new();
+        sum.update(content.unwrap_or_default());
+        match content.filter(|_| sum.sum() == file.crc32()) {
+            Some(content) => out.push((name, content)),
+            None => {
+                let expected = format!("the content of {name} with its check sum {:08x}", file.crc32());
+                return Err(Error::malformed(FORMAT, start as usize, expected, format!("{:08x}", sum.sum())));
+            }
+        }
     }
     Ok(out)
 }
 
-fn root(entries: &[(String, Vec<u8>)]) -> Result<(&str, &[u8])> {
+fn root<'a>(entries: &'a [(String, &'a [u8])]) -> Result<(&'a str, &'a [u8])> {
     match entries.first() {
         Some((name, bytes)) if name.ends_with(".usdc") || name.ends_with(".usd") => Ok((name, bytes)),
         Some((name, _)) => Err(Error::unsupported(FORMAT, format!("the root layer must be .usdc, found {name}"))),
