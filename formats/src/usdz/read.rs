@@ -157,7 +157,10 @@ fn mesh(spec: &Spec, file: &str) -> Result<Mesh> {
     let triangles: Vec<[u32; 3]> = corners.chunks_exact(3).map(|t| [t[0], t[1], t[2]].map(corner)).collect();
     let turned = |[x, y, z]: [f32; 3]| [x, -z, y];
     let positions: Vec<[f64; 3]> = points.iter().map(|p| turned(*p).map(f64::from)).collect();
-    if let Some(t) = triangles.iter().find(|t| t.iter().any(|c| *c as usize >= positions.len())) {
+    // All at once first, as they are nearly always in range.
+    let (low, high) = corners.iter().fold((0, -1), |(low, high), &c| (c.min(low), c.max(high)));
+    let outside = low < 0 || usize::try_from(high).is_ok_and(|h| h >= positions.len());
+    if let Some(t) = triangles.iter().find(|t| outside && t.iter().any(|c| *c as usize >= positions.len())) {
         let expected = format!("indices below {} in {}", positions.len(), spec.name);
         return Err(Error::malformed(FORMAT, 0, expected, format!("{t:?}")));
     }
