@@ -339,7 +339,13 @@ fn gltf_corners_with_their_geopose() {
         let dir = tempfile::tempdir().unwrap();
         write(
             dir.path(),
-            &export::glb(&to_metres.levels(std::slice::from_ref(&level)), &placement, &labels()).unwrap(),
+            &export::glb(
+                &to_metres.levels(std::slice::from_ref(&level)),
+                orb_formats::glb::Compression::None,
+                &placement,
+                &labels(),
+            )
+            .unwrap(),
         );
         let Some(read) = vertices_by_assimp(&dir.path().join("box.glb")) else { return };
         let known = georeference(&level, &to_metres, placement);

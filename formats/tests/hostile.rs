@@ -161,6 +161,23 @@ fn mesh() -> Mesh {
     }
 }
 
+/// A rolling field of so many quads a side.
+fn field(side: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for i in 0..(side + 1) * (side + 1) {
+        let (x, y) = (f64::from(i % (side + 1)), f64::from(i / (side + 1)));
+        mesh.positions.push([x, y, (x * 0.7).sin() * (y * 0.4).cos()]);
+        mesh.normals.push([0.0, 0.6, 0.8]);
+        mesh.uvs.push([x as f32 / side as f32, y as f32 / side as f32]);
+    }
+    let at = |x, y| y * (side + 1) + x;
+    let quads = (0..side * side).map(|q| (q % side, q / side));
+    mesh.triangles = quads
+        .flat_map(|(x, y)| [[at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]])
+        .collect();
+    mesh
+}
+
 fn splats() -> Splats {
     Splats {
         positions: vec![[0.0, 1.0, 2.0], [-1.0, 0.5, 0.25]],
@@ -242,8 +259,25 @@ fn spz_reader_inside_gzip() {
 #[test]
 fn glb_reader() {
     let of_splats = Asset { splats: Some(splats()), ..Asset::default() };
-    let seeds = [asset(), of_splats].map(|a| glb::write(&a).unwrap()).to_vec();
+    let mut seeds = [asset(), of_splats].map(|a| glb::write(&a).unwrap()).to_vec();
+    seeds.push(glb::write_as(&asset(), glb::Compression::Meshopt).unwrap());
     attack("glb", seeds, |bytes| drop(glb::read(bytes)));
+}
+
+/// Behind the JSON, which seldom survives damage: the packed bytes of compressed views.
+#[test]
+fn glb_reader_inside_its_compression() {
+    let mut of_side = asset();
+    of_side.parts[0].mesh = field(24);
+    let whole = glb::write_as(&of_side, glb::Compression::Meshopt).unwrap();
+    let json_end = 20 + u32::from_le_bytes([whole[12], whole[13], whole[14], whole[15]]) as usize;
+    let (front, packed) = whole.split_at(json_end + 8);
+    attack("glb-inside", vec![packed.to_vec()], |bytes| {
+        // As long as before, so that the views stay inside; their lengths are what they were.
+        let mut bytes = bytes.to_vec();
+        bytes.resize(packed.len(), 0xa5);
+        drop(glb::read(&[front, &bytes].concat()));
+    });
 }
 
 #[test]

@@ -91,6 +91,36 @@ fn the_khronos_validator_finds_nothing() {
     }
 }
 
+/// What meshoptimizer's own decoder unfolds is, value for value, what our reader unfolds; and the validator finds nothing in
+/// either file.
+#[test]
+fn meshoptimizer_unfolds_the_same() {
+    let packages = ["gltf-validator", "@gltf-transform/core", "@gltf-transform/extensions", "meshoptimizer"];
+    if packages.into_iter().any(|name| node_package(name).is_none()) {
+        return;
+    }
+    let folder = Folder::new("meshopt");
+    for (long, vertices) in [(false, 50), (true, 70_002)] {
+        let packed = glb::write_as(&asset(long), glb::Compression::Meshopt).unwrap();
+        std::fs::write(folder.0.join("packed.glb"), &packed).unwrap();
+        let Some(said) = run("node", &[&script("gltf_unfold.cjs"), "packed.glb", "plain.glb"], &folder.0) else {
+            return;
+        };
+        assert!(said.contains("EXT_meshopt_compression") && said.contains(&format!("vertices {vertices}")), "{said}");
+        let plain = std::fs::read(folder.0.join("plain.glb")).unwrap();
+        assert!(!plain.windows(11).any(|w| w == b"EXT_meshopt"), "compressed still");
+        let (ours, theirs) = (glb::read(&packed).unwrap(), glb::read(&plain).unwrap());
+        assert_eq!(ours.parts.len(), theirs.parts.len());
+        for (a, b) in ours.parts.iter().zip(&theirs.parts) {
+            assert_eq!(a.mesh, b.mesh);
+        }
+        for file in ["packed.glb", "plain.glb"] {
+            let said = run("node", &[&script("gltf_validate.cjs"), file], &folder.0).unwrap();
+            assert!(said.contains("errors 0 warnings 0"), "{said}");
+        }
+    }
+}
+
 #[test]
 fn openusd_opens_packages_under_arkits_rules() {
     let folder = Folder::new("usdz");

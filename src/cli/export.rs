@@ -150,6 +150,7 @@ pub fn run(args: &ExportArgs, stop: &AtomicBool) -> Result<u8> {
         spz: args.write.spz_version.into(),
         flt_geometry: args.write.flt_geometry.into(),
         usdz_splats: args.write.usdz_splats,
+        compression: args.write.compression(),
         tiles: args.write.tiles,
     };
     let model = format::publish(&args.format, &content, target, ground, &mut run.publication)?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use orb_formats::{File, cdb, openflight, spz};
+use orb_formats::{File, cdb, glb, openflight, spz};
 
 use super::cdb::Folder;
 use super::ground::{GroundArgs, GroundFiles};
@@ -169,9 +169,19 @@ pub struct WriteArgs {
     /// Put the Gaussians beside the mesh of a USDZ, as OpenUSD's ParticleField3DGaussianSplat (26.03 and later).
     #[arg(long)]
     pub usdz_splats: bool,
+
+    /// Compress the meshes of GLB files (EXT_meshopt_compression, KHR_mesh_quantization): a fraction of the geometry's size,
+    /// for readers that know both.
+    #[arg(long)]
+    pub meshopt: bool,
 }
 
 impl WriteArgs {
+    /// How the meshes of GLB files are stored.
+    pub fn compression(&self) -> glb::Compression {
+        if self.meshopt { glb::Compression::Meshopt } else { glb::Compression::None }
+    }
+
     /// What a store files the model under.
     ///
     /// # Errors
@@ -249,6 +259,8 @@ pub struct Content<'a> {
     pub flt_geometry: openflight::Geometry,
     pub tiles: TileContent,
     pub usdz_splats: bool,
+    /// How the meshes of GLB files are stored.
+    pub compression: glb::Compression,
 }
 
 /// Writes every format that was asked for, each once. Returns the model's name in the CDB store, if one was written.
@@ -284,7 +296,7 @@ pub fn publish(
                 continue;
             }
             Format::Flt => ("model", export::flt(levels, content.flt_geometry, placement, labels)?),
-            Format::Glb => ("model", export::glb(levels, placement, labels)?),
+            Format::Glb => ("model", export::glb(levels, content.compression, placement, labels)?),
             Format::Usdz => {
                 let field = content.usdz_splats.then(gaussians).transpose()?;
                 ("model", vec![export::usdz(levels, field, placement, labels)?])

@@ -383,6 +383,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         spz: args.write.spz_version.into(),
         flt_geometry: args.write.flt_geometry.into(),
         usdz_splats: args.write.usdz_splats,
+        compression: args.write.compression(),
         tiles: args.write.tiles,
     };
     // The sidecars write the scene's place into the KMZ; the PLY is there.

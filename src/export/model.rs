@@ -12,10 +12,15 @@ use crate::splat::Gaussians;
 use crate::{Error, Result};
 
 /// One file a level, the finest under the model's own name (`orb_formats::glb` says why).
-pub fn glb(levels: &[PlacedLevel], placement: &Placement, labels: &Labels) -> Result<Vec<File>> {
+pub fn glb(
+    levels: &[PlacedLevel],
+    compression: glb::Compression,
+    placement: &Placement,
+    labels: &Labels,
+) -> Result<Vec<File>> {
     let one = |(i, level): (usize, &PlacedLevel)| {
         let path = if i == 0 { format!("{}.glb", labels.stem) } else { format!("{}_lod{i}.glb", labels.stem) };
-        let bytes = glb::write(&asset(level, placement, labels)?).map_err(format_error)?;
+        let bytes = glb::write_as(&asset(level, placement, labels)?, compression).map_err(format_error)?;
         Ok(File { path, bytes, media_type: "model/gltf-binary" })
     };
     levels.iter().enumerate().map(one).collect()
@@ -190,12 +195,19 @@ mod tests {
     #[test]
     fn levels_keep_their_geometry() {
         let levels = [level(1.0, 0.0), level(1.01, 0.1)];
-        let files = glb(&levels, &placement(), &labels()).unwrap();
+        let files = glb(&levels, glb::Compression::None, &placement(), &labels()).unwrap();
         assert_eq!([files[0].path.as_str(), files[1].path.as_str()], ["car.glb", "car_lod1.glb"]);
         let back = glb::read(&files[1].bytes).unwrap();
         for (a, b) in back.parts[0].mesh.positions.iter().flatten().zip(levels[1].mesh.positions.iter().flatten()) {
             assert!((a - b).abs() < 1e-6);
         }
+        let packed = glb(&levels, glb::Compression::Meshopt, &placement(), &labels()).unwrap();
+        let unfolded = glb::read(&packed[1].bytes).unwrap();
+        assert_eq!(unfolded.parts[0].mesh.triangles.len(), back.parts[0].mesh.triangles.len());
+        let (a, b) = (unfolded.parts[0].mesh.bounds().unwrap(), back.parts[0].mesh.bounds().unwrap());
+        assert!([a.0, a.1].iter().flatten().zip([b.0, b.1].iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-4));
+        assert_eq!(inband::mismatch(&packed[1].path, &packed[1].bytes, &Marking::CUI), None);
+        assert!(inband::mismatch(&packed[1].path, &packed[1].bytes, &Marking::SECRET).is_some());
         let looks = &back.materials[0];
         assert_eq!([looks.image, looks.normal_image, looks.occlusion_image], [Some(0), Some(1), Some(2)]);
         let package = usdz(&levels, None, &placement(), &labels()).unwrap();

@@ -1,7 +1,10 @@
 //! Typed access to the binary chunk: nothing is made room for that is not there.
 
+use std::cell::{Cell, OnceCell};
+
 use super::FORMAT;
 use super::json::{Accessor, Primitive, Root};
+use super::meshopt::Packed;
 use super::read::missing;
 use crate::splats::whole;
 use crate::{Error, Result};
@@ -10,7 +13,15 @@ use crate::{Error, Result};
 pub struct Accessors<'a> {
     pub root: &'a Root,
     pub bin: &'a [u8],
+    /// What compressed views hold, once they are asked for.
+    unfolded: Vec<OnceCell<Vec<u8>>>,
+    /// Bytes that they may still unfold to.
+    left: Cell<usize>,
 }
+
+/// Bytes that compressed views may unfold to, for each of the binary chunk and besides.
+const UNFOLDED: usize = 24;
+const UNFOLDED_BESIDES: usize = 1 << 20;
 
 /// The rows of an accessor, all of them inside the file.
 pub struct Rows<'a> {
@@ -24,8 +35,17 @@ pub struct Rows<'a> {
 const FLOAT: u32 = 5126;
 
 impl<'a> Accessors<'a> {
-    pub fn view(&self, index: usize) -> Result<(&'a [u8], Option<usize>)> {
+    pub fn new(root: &'a Root, bin: &'a [u8]) -> Self {
+        let unfolded = root.buffer_views.iter().map(|_| OnceCell::new()).collect();
+        let left = bin.len().saturating_mul(UNFOLDED).saturating_add(UNFOLDED_BESIDES);
+        Accessors { root, bin, unfolded, left: Cell::new(left) }
+    }
+
+    pub fn view(&self, index: usize) -> Result<(&[u8], Option<usize>)> {
         let view = self.root.buffer_views.get(index).ok_or_else(|| missing("buffer view", index))?;
+        if let (Some(packed), Some(cell)) = (&view.extensions.packed, self.unfolded.get(index)) {
+            return Ok((self.unfolded(packed, cell)?, view.byte_stride));
+        }
         let embedded = view.buffer == 0 && self.root.buffers.first().is_some_and(|b| b.uri.is_none());
         if !embedded {
             return Err(Error::unsupported(FORMAT, "a buffer outside the file; pack it into the GLB"));
@@ -36,6 +56,18 @@ impl<'a> Accessors<'a> {
             Error::malformed(FORMAT, 20, expected, format!("{} bytes at {}", view.byte_length, view.byte_offset))
         })?;
         Ok((bytes, view.byte_stride))
+    }
+
+    fn unfolded<'s>(&'s self, packed: &Packed, cell: &'s OnceCell<Vec<u8>>) -> Result<&'s [u8]> {
+        if let Some(bytes) = cell.get() {
+            return Ok(bytes);
+        }
+        if packed.buffer != 0 || self.root.buffers.first().is_none_or(|b| b.uri.is_some()) {
+            return Err(Error::unsupported(FORMAT, "a buffer outside the file; pack it into the GLB"));
+        }
+        let bytes = packed.unpack(self.bin, self.left.get())?;
+        self.left.set(self.left.get().saturating_sub(bytes.len()));
+        Ok(cell.get_or_init(|| bytes))
     }
 
     fn accessor(&self, index: usize) -> Result<&Accessor> {
@@ -51,7 +83,7 @@ impl<'a> Accessors<'a> {
     }
 
     /// The rows of so many components; those of vectors of four may be taken for three.
-    pub fn rows(&self, index: usize, width: usize) -> Result<Rows<'a>> {
+    pub fn rows(&self, index: usize, width: usize) -> Result<Rows<'_>> {
         let accessor = self.accessor(index)?;
         let expected = ["", "SCALAR", "VEC2", "VEC3", "VEC4"][width];
         if accessor.kind != expected && !(width == 3 && accessor.kind == "VEC4") {

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
+use super::meshopt::Packed;
+
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Root {
@@ -98,6 +100,14 @@ pub struct View {
     pub byte_offset: usize,
     pub byte_length: usize,
     pub byte_stride: Option<usize>,
+    #[serde(default)]
+    pub extensions: OfView,
+}
+
+#[derive(Default, Deserialize)]
+pub struct OfView {
+    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+    pub packed: Option<Packed>,
 }
 
 #[derive(Deserialize)]

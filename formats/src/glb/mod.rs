@@ -11,6 +11,7 @@
 mod accessors;
 mod container;
 mod json;
+mod meshopt;
 mod read;
 mod splats;
 #[cfg(test)]
@@ -19,7 +20,7 @@ mod transform;
 mod write;
 
 pub use read::read;
-pub use write::write;
+pub use write::{Compression, write, write_as};
 
 const FORMAT: &str = "GLB";
 /// Name of the extension for splats.

@@ -8,10 +8,8 @@ use crate::asset::{Asset, EncodedImage, Material, Part};
 use crate::{Error, Label, Mesh, Place, Result, Splats};
 
 /// Extensions that change how geometry is stored, which this reader does not undo.
-const UNREAD: [&str; 5] = [
+const UNREAD: [&str; 3] = [
     "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",
-    "KHR_meshopt_compression",
     "KHR_gaussian_splatting_compression_spz",
     "KHR_gaussian_splatting_compression_spz_2",
 ];
@@ -21,7 +19,7 @@ const MAX_DEPTH: usize = 64;
 /// Reads the default scene (else the first, else every node): triangles with their nodes' transformations applied, base
 /// colours and their images, splats, Orb's label.
 ///
-/// Missing normals are computed; points and lines, other textures, animation, skins, cameras and lights are left out.
+/// Buffer views that are compressed by meshoptimizer are unfolded. Missing normals are computed; points and lines, other textures, animation, skins, cameras and lights are left out.
 /// What [`write`](super::write()) wrote comes back equal up to f32 positions and a v coordinate's last bit.
 ///
 /// # Errors
@@ -34,7 +32,7 @@ pub fn read(bytes: &[u8]) -> Result<Asset> {
     if let Some(name) = root.extensions_required.iter().find(|e| UNREAD.contains(&e.as_str())) {
         return Err(Error::unsupported(FORMAT, format!("the file needs {name}; store it without compression")));
     }
-    let accessors = Accessors { root: &root, bin };
+    let accessors = Accessors::new(&root, bin);
     let mut out = Asset { materials: materials(&root)?, images: images(&accessors)?, ..Asset::default() };
     out.label = label(&root.asset);
     let scene = root.scenes.get(root.scene.unwrap_or(0));

@@ -1,3 +1,5 @@
+mod compressed;
+
 use super::*;
 use crate::asset::Asset;
 use crate::asset::tests::{asset, label};

@@ -2,16 +2,16 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{FORMAT, SPLATTING, XMP, container, splats};
+use super::{FORMAT, SPLATTING, XMP, container, meshopt, splats};
 use crate::asset::{Asset, Material};
 use crate::mesh::unit;
 use crate::{Error, Label, Mesh, Result};
 
-const FLOAT: u32 = 5126;
-const UNSIGNED_SHORT: u32 = 5123;
-const UNSIGNED_INT: u32 = 5125;
-const ARRAY_BUFFER: u32 = 34962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+pub const FLOAT: u32 = 5126;
+pub const UNSIGNED_SHORT: u32 = 5123;
+pub const UNSIGNED_INT: u32 = 5125;
+pub const ARRAY_BUFFER: u32 = 34962;
+pub const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 /// Writes an asset as one node with one mesh for its parts, and one with the splats.
 ///
@@ -22,7 +22,28 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// [`Error::Unsupported`] for what the format cannot hold: a mesh that is not valid or empty, a material or an image
 /// that does not exist, an image that is neither PNG nor JPEG, values that are not finite, 4 GiB and more.
 pub fn write(asset: &Asset) -> Result<Vec<u8>> {
-    let mut out = Buffer::default();
+    write_as(asset, Compression::None)
+}
+
+/// How the triangles of a file are stored. Splats and images are stored as they are in any case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Compression {
+    /// Floats and integers that every reader takes.
+    #[default]
+    None,
+    /// `EXT_meshopt_compression`, which a reader must know: positions within 2⁻¹⁸ of the power of two that the largest of
+    /// their axis is below, texture coordinates within 2⁻¹⁶ of it, normals within 0.06°. Vertices and triangles are put into
+    /// another order, and vertices of no triangle are left out.
+    Meshopt,
+}
+
+/// As [`write()`], compressed or not.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_as(asset: &Asset, compression: Compression) -> Result<Vec<u8>> {
+    let unfolded = (compression == Compression::Meshopt && !asset.parts.is_empty()).then_some(0);
+    let mut out = Buffer { unfolded, ..Buffer::default() };
     let mut nodes = Vec::new();
     let mut meshes = Vec::new();
     if !asset.parts.is_empty() {
@@ -61,7 +82,13 @@ pub fn write(asset: &Asset) -> Result<Vec<u8>> {
     let images: Vec<Value> = images.collect::<Result<_>>()?;
     let materials: Vec<Value> = asset.materials.iter().map(|m| material(m, images.len())).collect::<Result<_>>()?;
 
-    let mut used = Vec::new();
+    let (mut used, mut required) = (Vec::new(), Vec::new());
+    let mut buffers = vec![json!({ "byteLength": out.bytes.len() })];
+    if let Some(length) = out.unfolded {
+        buffers.push(meshopt::fallback(length));
+        required = vec![meshopt::NAME, meshopt::QUANTIZATION];
+        used.clone_from(&required);
+    }
     if asset.splats.is_some() {
         used.push(SPLATTING);
     }
@@ -73,7 +100,7 @@ pub fn write(asset: &Asset) -> Result<Vec<u8>> {
         "meshes": meshes,
         "accessors": out.accessors,
         "bufferViews": out.views,
-        "buffers": [{ "byteLength": out.bytes.len() }],
+        "buffers": buffers,
     });
     if !materials.is_empty() {
         root["materials"] = materials.into();
@@ -86,6 +113,9 @@ pub fn write(asset: &Asset) -> Result<Vec<u8>> {
     if asset.label != Label::default() {
         used.push(XMP);
         mark(&mut root, &asset.label);
+    }
+    if !required.is_empty() {
+        root["extensionsRequired"] = required.into();
     }
     if !used.is_empty() {
         root["extensionsUsed"] = used.into();
@@ -168,6 +198,9 @@ fn primitive(mesh: &Mesh, textured: bool, bumpy: bool, out: &mut Buffer) -> Resu
     if corners.is_empty() {
         return refuse("a mesh without a triangle".into());
     }
+    if out.unfolded.is_some() {
+        return packed_primitive(mesh, &corners, textured, bumpy, out);
+    }
     let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|&[x, y, z]| [x as f32, z as f32, -y as f32]).collect();
     let mut attributes = Map::new();
     attributes.insert("POSITION".into(), out.floats(&positions, true).into());
@@ -196,9 +229,44 @@ fn primitive(mesh: &Mesh, textured: bool, bumpy: bool, out: &mut Buffer) -> Resu
     Ok(json!({ "attributes": attributes, "indices": out.accessors.len() - 1, "mode": 4 }))
 }
 
+/// The same, compressed.
+fn packed_primitive(mesh: &Mesh, corners: &[u32], textured: bool, bumpy: bool, out: &mut Buffer) -> Result<Value> {
+    let (corners, order) = meshopt::order(corners, mesh.positions.len())?;
+    let order = || order.iter().map(|&i| i as usize);
+    let mut attributes = Map::new();
+    let positions: Vec<[f32; 3]> =
+        order().map(|i| mesh.positions[i]).map(|[x, y, z]| [x as f32, z as f32, -y as f32]).collect();
+    attributes.insert("POSITION".into(), out.packed_floats(&positions, meshopt::POSITION_BITS, true)?.into());
+    let normals: Vec<[f32; 4]> =
+        order().map(|i| unit(mesh.normals[i].map(f64::from))).map(|[x, y, z]| [x, z, -y, 0.0]).collect();
+    attributes.insert("NORMAL".into(), out.packed_directions(&normals, false)?.into());
+    if bumpy {
+        let tangents = mesh.tangents();
+        let tangents: Vec<[f32; 4]> = order().map(|i| tangents[i]).map(|[x, y, z, w]| [x, z, -y, w]).collect();
+        attributes.insert("TANGENT".into(), out.packed_directions(&tangents, true)?.into());
+    }
+    if textured {
+        let uvs: Vec<[f32; 2]> = order().map(|i| mesh.uvs[i]).map(|[u, v]| [u, 1.0 - v]).collect();
+        attributes.insert("TEXCOORD_0".into(), out.packed_floats(&uvs, meshopt::UV_BITS, false)?.into());
+    }
+    let indices = out.packed_triangles(&corners, positions.len())?;
+    Ok(json!({ "attributes": attributes, "indices": indices, "mode": 4 }))
+}
+
+/// The least and the most of each component, as the format wants them of positions.
+pub fn bounds<const N: usize>(accessor: &mut Value, values: &[[f32; N]]) {
+    let edge = |pick: fn(f32, f32) -> f32, start: f32| {
+        values.iter().fold([start; N], |edge, v| std::array::from_fn(|i| pick(edge[i], v[i]))).to_vec()
+    };
+    accessor["min"] = edge(f32::min, f32::INFINITY).into();
+    accessor["max"] = edge(f32::max, f32::NEG_INFINITY).into();
+}
+
 /// The binary chunk in the making.
 #[derive(Default)]
 pub struct Buffer {
+    /// Where triangles are compressed: the bytes that they unfold to.
+    pub unfolded: Option<usize>,
     pub bytes: Vec<u8>,
     pub views: Vec<Value>,
     pub accessors: Vec<Value>,
@@ -218,17 +286,13 @@ impl Buffer {
     }
 
     /// Adds vectors of floats; the number of their accessor.
-    pub fn floats<const N: usize>(&mut self, values: &[[f32; N]], bounds: bool) -> usize {
+    pub fn floats<const N: usize>(&mut self, values: &[[f32; N]], bounded: bool) -> usize {
         let bytes: Vec<u8> = values.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         let view = self.view(&bytes, Some(ARRAY_BUFFER));
         let kind = ["", "SCALAR", "VEC2", "VEC3", "VEC4"][N];
         let mut accessor = json!({ "bufferView": view, "componentType": FLOAT, "count": values.len(), "type": kind });
-        if bounds {
-            let edge = |pick: fn(f32, f32) -> f32, start: f32| {
-                values.iter().fold([start; N], |edge, v| std::array::from_fn(|i| pick(edge[i], v[i]))).to_vec()
-            };
-            accessor["min"] = edge(f32::min, f32::INFINITY).into();
-            accessor["max"] = edge(f32::max, f32::NEG_INFINITY).into();
+        if bounded {
+            bounds(&mut accessor, values);
         }
         self.accessors.push(accessor);
         self.accessors.len() - 1
