@@ -5,12 +5,18 @@
 //! cargo run --release -p orb-formats --example speed -- FOLDER
 //!
 //! A line a format, between tabs: name, what is counted, how many, bytes of the file, seconds to write, seconds to read.
+//! Behind them, after a `#`, what the file alone costs, which every line has in it: to write and to read one of so many
+//! bytes; and what a published file costs besides, which no line has in it: SHA-256, and the disk's word that it is there
+//! (fsync, in the folder that `ORB_DISK` names, else in the system's temporary one).
 
 #[path = "speed/data.rs"]
 mod data;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+
+use sha2::{Digest, Sha256};
 
 use orb_formats::asset::{EncodedImage, Material, Part};
 use orb_formats::cdb::dbf::Table;
@@ -33,7 +39,8 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let tileset = data::tileset();
     bench.line("3D Tiles", "tiles", data::TILES, "tileset.json", &|| tiles3d::write(&tileset), &|b| {
         tiles3d::read(b).map(drop)
-    })
+    })?;
+    bench.file_alone("scene.ply")
 }
 
 type Outcome = std::result::Result<(), Box<dyn std::error::Error>>;
@@ -64,6 +71,8 @@ fn triangles(bench: &Bench) -> Outcome {
         ..Asset::default()
     };
     bench.line("GLB", "triangles", n, "field.glb", &|| glb::write(&asset), &|b| glb::read(b).map(drop))?;
+    let packed = || glb::write_as(&asset, glb::Compression::Meshopt);
+    bench.line("GLB, meshopt", "triangles", n, "packed.glb", &packed, &|b| glb::read(b).map(drop))?;
     bench.line("USDZ", "triangles", n, "field.usdz", &|| usdz::write(&asset), &|b| usdz::read(b).map(drop))?;
     let level = Level { switch_in: 1000.0, significant_size: 1.0, mesh, ..Level::default() };
     let model = Model { name: "field".into(), levels: vec![level], ..Model::default() };
@@ -145,6 +154,42 @@ impl Bench<'_> {
         let path = self.folder.join(file);
         let read = median(|| Ok(read(&std::fs::read(&path)?)?))?;
         println!("{name}\t{unit}\t{count}\t{bytes}\t{written}\t{read}");
+        Ok(())
+    }
+
+    /// Costs of a file, whatever stands in it.
+    fn file_alone(&self, file: &str) -> Outcome {
+        let path = self.folder.join(file);
+        let bytes = std::fs::read(&path)?;
+        let copy = self.folder.join("alone.bin");
+        let write = median(|| Ok(std::fs::write(&copy, &bytes)?))?;
+        let read = median(|| {
+            std::hint::black_box(std::fs::read(&copy)?);
+            Ok(())
+        })?;
+        let hash = median(|| {
+            std::hint::black_box(Sha256::digest(&bytes));
+            Ok(())
+        })?;
+        std::fs::remove_file(&copy)?;
+        let disk = std::env::var_os("ORB_DISK").map_or_else(std::env::temp_dir, PathBuf::from).join("orb-speed.bin");
+        let unsynced = median(|| Ok(std::fs::write(&disk, &bytes)?))?;
+        let synced = median(|| {
+            let mut file = std::fs::File::create(&disk)?;
+            file.write_all(&bytes)?;
+            Ok(file.sync_all()?)
+        })?;
+        std::fs::remove_file(&disk)?;
+        let rate = |seconds: f64| format!("{:.0} MB/s", bytes.len() as f64 / seconds / 1e6);
+        println!(
+            "# a file of {:.1} MB alone: written {}, read {}; SHA-256 {}; on the disk {}, with fsync {}",
+            bytes.len() as f64 / 1e6,
+            rate(write),
+            rate(read),
+            rate(hash),
+            rate(unsynced),
+            rate(synced)
+        );
         Ok(())
     }
 

@@ -6,7 +6,7 @@ not counted. Medians of seven rounds, after one that does not count: from arrays
 Prints the table of docs/formats.md.
 
 pip install gsply zstandard numpy usd-core rasterio pyogrio OpenImageIO py3dtiles; @playcanvas/splat-transform and
-@gltf-transform/core by npm (NODE_PATH);
+@gltf-transform/core, /extensions, /functions and meshoptimizer by npm (NODE_PATH);
 libopenscenegraph-dev and g++. What is missing is named and leaves its cells empty.
 """
 import os
@@ -188,7 +188,8 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     cargo = [os.environ.get("CARGO", "cargo"), "run", "--quiet", "--locked", "--release", "-p", "orb-formats", "--example", "speed", "--"]
     printed = subprocess.run([*cargo, folder], check=True, capture_output=True, text=True, cwd=HERE.parent.parent).stdout
-    ours = [line.split("\t") for line in printed.splitlines()]
+    ours = [line.split("\t") for line in printed.splitlines() if not line.startswith("#")]
+    notes = [line for line in printed.splitlines() if line.startswith("#")]
     theirs = {}
     with tempfile.TemporaryDirectory(dir=folder) as scratch:
         for program in (splat_files, gltf, usd, openflight, textures, rasters, shapes, tiles):
@@ -207,6 +208,7 @@ def main():
         cells = [f"{name}, {count:,} {unit}", f"{size / 1e6:.2f} MB", cell(write, count, size), cell(read, count, size), other]
         cells += [f"{other_size / 1e6:.2f} MB" if other_size else "–", cell(other_write, count, other_size), cell(other_read, count, size)]
         print("| " + " | ".join(cells) + " |")
+    print("\n".join(notes))
 
 
 if __name__ == "__main__":
