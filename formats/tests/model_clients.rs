@@ -114,9 +114,12 @@ fn meshoptimizer_unfolds_the_same() {
         for (a, b) in ours.parts.iter().zip(&theirs.parts) {
             assert_eq!(a.mesh, b.mesh);
         }
-        for file in ["packed.glb", "plain.glb"] {
+        // Of what it does not unfold it looks at the rest.
+        for (file, nothing) in
+            [("packed.glb", "errors 0 warnings 0 infos 0 hints 0"), ("plain.glb", "errors 0 warnings 0")]
+        {
             let said = run("node", &[&script("gltf_validate.cjs"), file], &folder.0).unwrap();
-            assert!(said.contains("errors 0 warnings 0"), "{said}");
+            assert!(said.contains(nothing), "{said}");
         }
     }
 }

@@ -49,6 +49,7 @@ async function main() {
   console.log(["GLB", `glTF-Transform ${VERSION.slice(1)}`, made, written, read].join("\t"));
   // Compressed: with meshoptimizer's own codecs, in WebAssembly, at glTF-Transform's own settings.
   const { EXTMeshoptCompression, KHRMeshQuantization } = require("@gltf-transform/extensions");
+  const { Logger } = require("@gltf-transform/core");
   const { cloneDocument, meshopt } = require("@gltf-transform/functions");
   const { MeshoptDecoder, MeshoptEncoder } = require("meshoptimizer");
   await MeshoptDecoder.ready;
@@ -58,7 +59,7 @@ async function main() {
   const unpacked = await median(() => load("packed.glb"));
   const small = path.join(out, "packed.glb");
   const packed = await median(async () => {
-    const copy = cloneDocument(document);
+    const copy = cloneDocument(document).setLogger(new Logger(Logger.Verbosity.ERROR));
     await copy.transform(meshopt({ encoder: MeshoptEncoder, level: "medium" }));
     fs.writeFileSync(small, await io.writeBinary(copy));
   });

@@ -1,9 +1,9 @@
 // node gltf_validate.cjs FILE...: the Khronos glTF validator (npm gltf-validator, found through NODE_PATH).
 // Prints what it counted and found in each file; exit code 1 when it found an error or could not read one.
-// It says of KHR_xmp_json_ld and KHR_gaussian_splatting that it does not know them: that is no finding about the file.
+// It says of KHR_xmp_json_ld, KHR_gaussian_splatting and EXT_meshopt_compression that it does not know them: that is no finding about the file.
 const fs = require('fs');
 const validator = require('gltf-validator');
-const UNKNOWN = ['KHR_xmp_json_ld', 'KHR_gaussian_splatting'];
+const UNKNOWN = ['KHR_xmp_json_ld', 'KHR_gaussian_splatting', 'EXT_meshopt_compression'];
 (async () => {
     for (const file of process.argv.slice(2)) {
         try {
