@@ -3,6 +3,7 @@
 mod atlas;
 mod coarser;
 pub mod import;
+mod mesh_tree;
 mod model;
 mod scene;
 mod sheet;
@@ -24,6 +25,7 @@ use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::symmetry::Basis;
 use crate::{Error, Kind, Result, views};
 
+pub use mesh_tree::{FOLDER as MESH_TREE, MeshTree};
 pub use model::{glb, tiles3d, usdz};
 pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
 pub use sheet::scene_png;

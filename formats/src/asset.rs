@@ -39,6 +39,8 @@ pub struct Material {
     pub metallic: f32,
     pub roughness: f32,
     pub double_sided: bool,
+    /// The image is what is seen, light and all: a photo's.
+    pub unlit: bool,
 }
 
 impl Default for Material {
@@ -53,6 +55,7 @@ impl Default for Material {
             metallic: 0.0,
             roughness: 1.0,
             double_sided: false,
+            unlit: false,
         }
     }
 }

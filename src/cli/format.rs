@@ -106,7 +106,7 @@ pub enum TileContent {
     /// The surface, in levels of detail.
     #[default]
     Mesh,
-    /// The Gaussians, in one tile (KHR_gaussian_splatting).
+    /// The Gaussians (KHR_gaussian_splatting); of one subject in one tile.
     Splats,
 }
 
@@ -386,6 +386,11 @@ impl OpenStore {
         let lock = lock_store(root)?;
         Ok(OpenStore { lock, root: root.to_owned() })
     }
+
+    /// Puts files into the store when the publication is sealed; errors as [`merge_into_store`].
+    pub fn merge(self, files: &[File], folders: &[String], publication: &mut Publication) -> Result<()> {
+        publication.merge(merge_into_store(self.lock, files, folders)?)
+    }
 }
 
 impl cdb::Store for OpenStore {
@@ -423,7 +428,7 @@ fn write_cdb(
     let added = match target {
         Target::Into(store) => {
             let added = with_ground(&store, cdb::add_model(&store, model))?;
-            publication.merge(merge_into_store(store.lock, &added.files, &added.folders)?)?;
+            store.merge(&added.files, &added.folders, publication)?;
             return Ok(added.model_name);
         }
         Target::New => with_ground(&cdb::Empty, cdb::add_model(&cdb::Empty, model))?,

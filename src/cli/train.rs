@@ -2,6 +2,7 @@
 
 mod blocks;
 mod store;
+mod tiles;
 mod told;
 
 use std::path::PathBuf;
@@ -15,6 +16,7 @@ use sha2::{Digest, Sha256};
 use super::bar::{Bar, Say};
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
+use super::format::{OpenStore, TileContent};
 use super::geo;
 use super::networks::EngineArgs;
 use super::photos::{PhotosArgs, Set};
@@ -53,7 +55,7 @@ pub enum SkyName {
 pub enum SceneFormat {
     /// Quantised
     Spz,
-    /// 3D Tiles in levels of detail, without the sky; for photos with a place on the Earth
+    /// 3D Tiles in levels of detail, without the sky, of what --tiles says; for photos with a place on the Earth
     Tiles3d,
     /// OGC CDB store: the ground as terrain and imagery, what stands on it as models; for photos with a place on the Earth
     Cdb,
@@ -117,6 +119,17 @@ pub struct Train {
     /// imagery.
     #[arg(long, value_name = "N", default_value_t = 32, value_parser = clap::value_parser!(u32).range(..=10_000))]
     pub models: u32,
+    /// Add terrain, imagery and models to this existing CDB store, in place of a new store in the published folder; with
+    /// --format cdb.
+    #[arg(long, value_name = "STORE")]
+    pub cdb: Option<PathBuf>,
+    /// What 3D Tiles hold, separated by commas: the Gaussians in tiles3d, textured meshes of the whole scene in tiles3d-mesh.
+    #[arg(long, value_delimiter = ',', value_enum, default_value = "splats")]
+    pub tiles: Vec<TileContent>,
+    /// Distance of the samples that the meshes of --tiles mesh are made from, metres. Default: two of the photos' pixels on the
+    /// ground, more where the scene is less sure.
+    #[arg(long, value_name = "METRES", value_parser = metres)]
+    pub mesh_sample: Option<f64>,
     /// Measure photos held out a second time, their poses fitted to the finished Gaussians; with --refine-poses always.
     #[arg(long)]
     pub fit_held_out: bool,
@@ -161,6 +174,11 @@ fn background(text: &str) -> std::result::Result<Background, String> {
     }
 }
 
+fn metres(text: &str) -> std::result::Result<f64, String> {
+    let number = text.parse().ok().filter(|v: &f64| v.is_finite() && *v > 0.0);
+    number.ok_or_else(|| "expected a length in metres above 0, such as 0.1".into())
+}
+
 /// A measure's network.
 struct Network {
     graph: Box<dyn Graph>,
@@ -197,6 +215,13 @@ pub struct Placed {
 /// Usage for photos, poses, masks and options that cannot be used; policy for markings; as [`scene::fit`].
 pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     let started = Instant::now();
+    if let Some(store) = &args.cdb {
+        if !args.format.contains(&SceneFormat::Cdb) {
+            return Err(Error::usage("--cdb").expected("--format cdb, which writes a store").found("other formats"));
+        }
+        // A folder that is none is refused now, not after training; nobody is kept from it meanwhile.
+        OpenStore::open(store)?;
+    }
     let mut set = Set::open(&args.data, &args.photos, args.masks.as_deref())?;
     let kept = args.kept.open()?;
     let network = Network::open(args)?;
@@ -312,7 +337,8 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         let spz = export::spz(g, &labels, orb_formats::spz::Version::V3)?;
         sealed.publication.add(&spz.path, &spz.bytes, spz.media_type, "gaussians")?;
     }
-    if let (true, Some(p), Some(g)) = (args.format.contains(&SceneFormat::Tiles3d), &placed, &in_metres) {
+    let tiled = |content| args.format.contains(&SceneFormat::Tiles3d) && args.tiles.contains(&content);
+    if let (true, Some(p), Some(g)) = (tiled(TileContent::Splats), &placed, &in_metres) {
         let near = g.filtered(|i| i < g.len() - done.sky);
         for file in export::splat_tree(&near, export::TILE_OF_SPLATS, &p.placement, &labels)? {
             sealed.publication.add(&file.path, &file.bytes, file.media_type, "gaussians")?;
@@ -325,8 +351,14 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     }
     let stored = match &placed {
         Some(p) if args.format.contains(&SceneFormat::Cdb) => {
-            let how = store::How { most: args.models as usize, progress: &bar, say: &say };
+            let how = store::How { most: args.models as usize, into: args.cdb.as_deref(), progress: &bar, say: &say };
             Some(store::publish(&done, p, &labels, &mut sealed.publication, &how)?)
+        }
+        _ => None,
+    };
+    let meshed = match &placed {
+        Some(p) if tiled(TileContent::Mesh) => {
+            Some(tiles::publish(&done, p, &labels, &mut sealed.publication, args.mesh_sample, &bar)?)
         }
         _ => None,
     };
@@ -342,6 +374,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         params: told::params(args, &options, &set, &done, placed.as_ref())
             .into_iter()
             .chain(stored.iter().flat_map(store::Stored::params))
+            .chain(meshed.iter().flat_map(tiles::Tiled::params))
             .collect(),
     })?;
     bar.finish();
@@ -353,6 +386,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         done: &done,
         placed: placed.as_ref(),
         stored: stored.as_ref(),
+        tiled: meshed.as_ref(),
         published: &published,
         banner: product.banner(),
         seconds: started.elapsed().as_secs_f64(),
@@ -390,6 +424,7 @@ fn plan(args: &Train, set: &Set, cost: &Cost, most: usize, engine: splat::Engine
         steps: args.iterations as usize,
         blocks: args.large.blocks.map_or(1, |n| n as usize),
         on_gpu: cost.on_gpu,
+        store_models: args.format.contains(&SceneFormat::Cdb).then_some(args.models as usize),
     };
     let planned = scene::plan::plan(&job, &scene::plan::speed(engine)?);
     let mut words = planned.words(&job);

@@ -55,11 +55,29 @@ impl Baked {
 }
 
 pub fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
+    texels_beyond(mesh, size, 0.0)
+}
+
+/// With those that lie up to `beyond` texels outside every triangle, each as if its nearest one went on.
+pub fn texels_beyond(mesh: &Mesh, size: usize, beyond: f32) -> Vec<Texel> {
     let mut owner = vec![u32::MAX; size * size];
     let flat: Vec<[Vec2; 3]> =
         mesh.triangles.iter().map(|t| t.map(|i| texel_place(mesh.uvs[i as usize], size))).collect();
     for (f, t) in flat.iter().enumerate() {
         cells_inside(*t, size, size, -1e-3, |x, y| owner[y * size + x] = f as u32);
+    }
+    if beyond > 0.0 {
+        let inside: Vec<bool> = owner.iter().map(|o| *o != u32::MAX).collect();
+        let mut off = vec![f32::INFINITY; size * size];
+        for (f, t) in flat.iter().enumerate() {
+            cells_inside(*t, size, size, -beyond, |x, y| {
+                let i = y * size + x;
+                let far = distance_to(*t, Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
+                if !inside[i] && far <= beyond && far < off[i] {
+                    (owner[i], off[i]) = (f as u32, far);
+                }
+            });
+        }
     }
     (0..size * size)
         .into_par_iter()
@@ -80,6 +98,16 @@ pub fn texels(mesh: &Mesh, size: usize) -> Vec<Texel> {
             })
         })
         .collect()
+}
+
+/// From a point outside a triangle to its nearest edge.
+fn distance_to(t: [Vec2; 3], p: Vec2) -> f32 {
+    let edge = |k: usize| {
+        let (a, d) = (t[k], t[(k + 1) % 3] - t[k]);
+        let along = ((p - a).dot(d) / d.length_squared().max(1e-20)).clamp(0.0, 1.0);
+        p.distance(a + along * d)
+    };
+    (0..3).map(edge).fold(f32::INFINITY, f32::min)
 }
 
 fn texel_place(uv: Vec2, size: usize) -> Vec2 {

@@ -5,6 +5,8 @@
 
 use super::Surface;
 use super::fuse::Volume;
+use glam::Vec3;
+use std::ops::Range;
 
 /// Corner k of a cube: x = k & 1, y = k >> 1 & 1, z = k >> 2.
 /// Edges as (lower corner, axis).
@@ -105,20 +107,35 @@ fn triangulate(polygon: &[usize]) -> Option<Vec<[usize; 3]>> {
 
 /// The zero surface, counter-clockwise seen from outside (positive side); closed when the grid's rim is positive.
 pub fn extract(volume: &Volume) -> Surface {
-    let table = table();
     let [nx, ny, nz] = volume.dims;
     if nx < 2 || ny < 2 || nz < 2 {
         return Surface::default();
     }
+    extract_cells(volume, [0..nx - 1, 0..ny - 1, 0..nz - 1], |_, _| true, |at| volume.position(at[0], at[1], at[2])).0
+}
+
+/// The part of the surface that lies in a range of the grid's cells, of columns that `wanted` lets by; open where they end. With
+/// it, each vertex's edge of the grid: the sample at its lower end and its axis.
+///
+/// `position`: of a sample. A vertex follows from the two samples of its edge and from where they lie, nothing else.
+pub fn extract_cells(
+    volume: &Volume,
+    [xs, ys, zs]: [Range<usize>; 3],
+    wanted: impl Fn(usize, usize) -> bool,
+    position: impl Fn([usize; 3]) -> Vec3,
+) -> (Surface, Vec<([usize; 3], usize)>) {
+    let table = table();
+    let [nx, ny, _] = volume.dims;
     let data = &volume.data;
     let corner_offset: [usize; 8] = std::array::from_fn(|k| volume.index(k & 1, k >> 1 & 1, k >> 2));
     let edge_offset: [usize; 12] = std::array::from_fn(|e| corner_offset[EDGES[e].0]);
     let axis_offset = [corner_offset[1], corner_offset[2], corner_offset[4]];
     let mut vertex_of_edge = vec![u32::MAX; data.len() * 3];
     let mut surface = Surface::default();
-    for z in 0..nz - 1 {
-        for y in 0..ny - 1 {
-            for x in 0..nx - 1 {
+    let mut edges = Vec::new();
+    for z in zs {
+        for y in ys.clone() {
+            for x in xs.clone().filter(|x| wanted(*x, y)) {
                 let base = volume.index(x, y, z);
                 let case = (0..8).fold(0, |case, k| case | usize::from(data[base + corner_offset[k]] < 0.0) << k);
                 for triangle in &table[case] {
@@ -131,9 +148,11 @@ pub fn extract(volume: &Volume) -> Surface {
                             let (a, b) = (data[low], data[low + axis_offset[axis]]);
                             // Away from the ends: no slivers, no two vertices in one place.
                             let t = (a / (a - b)).clamp(0.02, 0.98);
-                            let mut p = volume.position(low % nx, low / nx % ny, low / (nx * ny));
+                            let at = [low % nx, low / nx % ny, low / (nx * ny)];
+                            let mut p = position(at);
                             p[axis] += t * volume.voxel;
                             surface.positions.push(p);
+                            edges.push((at, axis));
                         }
                         *slot
                     }));
@@ -141,14 +160,13 @@ pub fn extract(volume: &Volume) -> Surface {
             }
         }
     }
-    surface
+    (surface, edges)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::clean::edges_used_twice;
-    use glam::Vec3;
 
     fn volume(n: usize, f: impl Fn(Vec3) -> f32) -> Volume {
         let voxel = 2.0 / (n - 1) as f32;

@@ -135,7 +135,8 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
     let mut volume =
         Volume { origin, voxel, dims, truncation, data: vec![truncation; dims[0] * dims[1] * dims[2]], noise };
     let grid = Volume { data: Vec::new(), ..volume.clone() };
-    let views: Vec<Fused> = maps.iter().map(|m| Fused::new(m, &grid, softening)).collect();
+    let sheet = SHEET * grid.voxel + SOFT * grid.noise;
+    let views: Vec<Fused> = maps.iter().map(|m| Fused::new(m, &grid, softening, sheet)).collect();
     volume.data.par_chunks_mut(dims[0] * dims[1] * SLAB).enumerate().for_each(|(k, slices)| {
         fuse_slab(&views, &grid, k * SLAB, slices);
     });
@@ -147,8 +148,21 @@ pub fn fuse(maps: &[DepthMap], voxels: usize) -> Result<Volume> {
     Ok(volume)
 }
 
-/// One round of [1 2 1] / 4 along each axis; the rim stays.
+/// One round of [1 2 1] / 4 along each axis; the rim is outside.
 fn smooth(volume: &mut Volume) {
+    blur(volume);
+    let [nx, ny, nz] = volume.dims;
+    let truncation = volume.truncation;
+    volume.data.par_iter_mut().enumerate().for_each(|(i, value)| {
+        let at = [i % nx, i / nx % ny, i / (nx * ny)];
+        if (0..3).any(|k| at[k] == 0 || at[k] + 1 == [nx, ny, nz][k]) {
+            *value = truncation;
+        }
+    });
+}
+
+/// One round of [1 2 1] / 4 along each axis, which the rim stays out of: each round reaches one sample further.
+pub(super) fn blur(volume: &mut Volume) {
     let [nx, ny, nz] = volume.dims;
     for (stride, count, axis) in [(1, nx, 0), (nx, ny, 1), (nx * ny, nz, 2)] {
         let from = volume.data.clone();
@@ -159,13 +173,6 @@ fn smooth(volume: &mut Volume) {
             }
         });
     }
-    let truncation = volume.truncation;
-    volume.data.par_iter_mut().enumerate().for_each(|(i, value)| {
-        let at = [i % nx, i / nx % ny, i / (nx * ny)];
-        if (0..3).any(|k| at[k] == 0 || at[k] + 1 == [nx, ny, nz][k]) {
-            *value = truncation;
-        }
-    });
 }
 
 /// Samples along the sides of the blocks that a view is asked about as a whole: across, and up.
@@ -208,7 +215,7 @@ fn fuse_slab(views: &[Fused], grid: &Volume, bottom: usize, slices: &mut [f32]) 
 }
 
 /// What one view says of a whole block of samples.
-enum Whole {
+pub(super) enum Whole {
     /// It lies outside the picture.
     Nothing,
     /// Of each sample the same: weighted distance, and weight.
@@ -220,7 +227,7 @@ enum Whole {
 const SQUARE: usize = 4;
 
 /// A view that is being fused.
-struct Fused<'a> {
+pub(super) struct Fused<'a> {
     map: &'a DepthMap,
     softening: f32,
     /// Weight of seeing through.
@@ -233,12 +240,12 @@ struct Fused<'a> {
 }
 
 impl<'a> Fused<'a> {
-    fn new(map: &'a DepthMap, grid: &Volume, softening: f32) -> Self {
+    /// `sheet`: by how much a surface is moved towards the view, half of what one without thickness gets.
+    pub(super) fn new(map: &'a DepthMap, grid: &Volume, softening: f32, sheet: f32) -> Self {
         /// What rounding may make of depths, scene units.
         const ROUNDING: f32 = 1e-4;
         let c = &map.camera;
         let through = SEEN_THROUGH * if c.position().z < BELOW * c.position().length() { 0.5 } else { 1.0 };
-        let sheet = SHEET * grid.voxel + SOFT * grid.noise;
         let bounds_of = |t: &[f32; 4]| {
             if t[0] == 0.0 {
                 return [if t[3] == 1.0 { f32::INFINITY } else { f32::NEG_INFINITY }, f32::INFINITY];
@@ -258,7 +265,7 @@ impl<'a> Fused<'a> {
     }
 
     /// The block's projection lies in the box around those of its corners.
-    fn of_block(&self, grid: &Volume, block: &[std::ops::Range<usize>; 3]) -> Whole {
+    pub(super) fn of_block(&self, grid: &Volume, block: &[std::ops::Range<usize>; 3]) -> Whole {
         /// Pixels that rounding may move a projection.
         const ROUNDING: f32 = 0.01;
         let c = &self.map.camera;
@@ -298,7 +305,7 @@ impl<'a> Fused<'a> {
     }
 
     /// Adds what the view says of a row of samples from `x` on.
-    fn accumulate(&self, grid: &Volume, x: usize, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
+    pub(super) fn accumulate(&self, grid: &Volume, x: usize, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
         let c = &self.map.camera;
         let truncation = grid.truncation;
         let start = c.rotation * grid.position(0, y, z) + c.translation;

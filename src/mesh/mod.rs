@@ -27,6 +27,7 @@ pub mod simplify;
 pub mod smooth;
 pub mod source;
 pub mod thin;
+pub mod tiles;
 pub mod unwrap;
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub struct Scene {
 pub const BACKGROUND: [f32; 3] = [0.5; 3];
 
 impl Scene {
-    fn new(distance: impl Fn(Vec3) -> f32 + Sync + 'static) -> Self {
+    pub fn new(distance: impl Fn(Vec3) -> f32 + Sync + 'static) -> Self {
         Scene { distance: Box::new(distance), color: Box::new(|_, n| by_side(n)) }
     }
 

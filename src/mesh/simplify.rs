@@ -13,15 +13,15 @@ use std::collections::BinaryHeap;
 
 /// Σ w (n·p + d)² as p'Ap + 2b'p + c.
 #[derive(Clone, Copy, Default)]
-struct Quadric {
+pub(super) struct Quadric {
     a: [f64; 6], // xx xy xz yy yz zz
     b: DVec3,
     c: f64,
-    weight: f64,
+    pub(super) weight: f64,
 }
 
 impl Quadric {
-    fn plane(n: DVec3, d: f64, w: f64) -> Self {
+    pub(super) fn plane(n: DVec3, d: f64, w: f64) -> Self {
         Quadric {
             a: [n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z].map(|v| v * w),
             b: n * (d * w),
@@ -30,10 +30,10 @@ impl Quadric {
         }
     }
     /// Distance to a point: keeps vertices spread where planes say nothing.
-    fn point(p: DVec3, w: f64) -> Self {
+    pub(super) fn point(p: DVec3, w: f64) -> Self {
         Quadric { a: [w, 0.0, 0.0, w, 0.0, w], b: -p * w, c: p.length_squared() * w, weight: 0.0 }
     }
-    fn plus(mut self, o: &Quadric) -> Self {
+    pub(super) fn plus(mut self, o: &Quadric) -> Self {
         for (a, b) in self.a.iter_mut().zip(o.a) {
             *a += b;
         }
@@ -46,11 +46,11 @@ impl Quadric {
         let [xx, xy, xz, yy, yz, zz] = self.a;
         DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz))
     }
-    fn at(&self, p: DVec3) -> f64 {
+    pub(super) fn at(&self, p: DVec3) -> f64 {
         (p.dot(self.matrix() * p) + 2.0 * self.b.dot(p) + self.c).max(0.0)
     }
     /// The least point, held to within `reach` of `near`.
-    fn least(&self, near: DVec3, reach: f64) -> DVec3 {
+    pub(super) fn least(&self, near: DVec3, reach: f64) -> DVec3 {
         let trace = self.a[0] + self.a[3] + self.a[5];
         let hold = 1e-3 * trace + 1e-30;
         let m = self.matrix() + DMat3::from_diagonal(DVec3::splat(hold));
@@ -60,18 +60,18 @@ impl Quadric {
 }
 
 /// An edge: its cost, a non-negative number's bits (which sort as it does), its vertices and how often each had moved.
-type Candidate = (u64, [u32; 2], [u32; 2]);
+pub(super) type Candidate = (u64, [u32; 2], [u32; 2]);
 
 /// Candidates, cheapest first. What costs `bound` or more is not sorted before its time: most of it never is.
 #[derive(Default)]
-struct Queue {
+pub(super) struct Queue {
     near: BinaryHeap<Reverse<Candidate>>,
     far: Vec<Candidate>,
     bound: u64,
 }
 
 impl Queue {
-    fn push(&mut self, candidate: Candidate) {
+    pub(super) fn push(&mut self, candidate: Candidate) {
         match candidate.0 < self.bound {
             true => self.near.push(Reverse(candidate)),
             false => self.far.push(candidate),
@@ -79,7 +79,7 @@ impl Queue {
     }
 
     /// `valid`: whether a candidate still means anything; others may be left out.
-    fn pop(&mut self, valid: impl Fn(&Candidate) -> bool) -> Option<Candidate> {
+    pub(super) fn pop(&mut self, valid: impl Fn(&Candidate) -> bool) -> Option<Candidate> {
         /// Sorted at a time.
         const SOME: usize = 4096;
         if self.near.is_empty() {

@@ -23,6 +23,16 @@ pub struct Source {
 }
 
 impl Source {
+    /// Bytes of memory.
+    pub fn bytes(&self) -> usize {
+        20 * self.color.len()
+    }
+
+    /// How far the camera is away.
+    pub fn distance(&self, p: Vec3) -> f32 {
+        self.eye.distance(p)
+    }
+
     /// Position in the picture and cosine of the view on `texel`; None when it is hidden or looks away.
     pub fn sees(&self, texel: &Texel) -> Option<(Vec2, f32)> {
         let c = &self.camera;
@@ -119,6 +129,28 @@ pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], line
         .collect();
     let eye = view.camera.position();
     Source { camera: view.camera, eye, color, trust, nearest: nearest_around(&depth, w, h, 1), slack: 0.006 }
+}
+
+/// A rendered view by its own depth: for meshes that are made piece by piece, where what hides a point may be another piece's.
+///
+/// `slack`: how far behind what was rendered a point may lie, beside what pixels and slopes make.
+pub fn view_source(view: &View, background: [f32; 3], slack: f32, linear: &Linear) -> Source {
+    let (w, h) = (view.camera.width as usize, view.camera.height as usize);
+    let solid = |i: usize| view.alpha[i] >= 0.5 && view.depth[i] > 0.0;
+    let depth: Vec<f32> = (0..w * h).map(|i| if solid(i) { view.depth[i] } else { 0.0 }).collect();
+    let trust = |i: usize| if solid(i) { ((view.alpha[i] - 0.5) / 0.45).clamp(0.0, 1.0).powi(2) } else { 0.0 };
+    let color = |i: usize| {
+        let a = view.alpha[i].clamp(0.5, 1.0);
+        std::array::from_fn(|k| linear.of((view.color[i][k] - (1.0 - a) * background[k]) / a))
+    };
+    Source {
+        camera: view.camera,
+        eye: view.camera.position(),
+        color: (0..w * h).map(color).collect(),
+        trust: (0..w * h).map(trust).collect(),
+        nearest: nearest_around(&depth, w, h, 1),
+        slack,
+    }
 }
 
 /// The photo over the mesh that it is asked about.

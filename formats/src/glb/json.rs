@@ -126,6 +126,8 @@ pub struct Look {
     pub occlusion_texture: Option<Index>,
     #[serde(default)]
     pub double_sided: bool,
+    #[serde(default)]
+    pub extensions: serde_json::Value,
 }
 
 #[derive(Default, Deserialize)]

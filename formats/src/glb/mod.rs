@@ -25,5 +25,6 @@ pub use write::{Compression, write, write_as};
 const FORMAT: &str = "GLB";
 /// Name of the extension for splats.
 const SPLATTING: &str = "KHR_gaussian_splatting";
+const UNLIT: &str = "KHR_materials_unlit";
 /// Name of the extension for metadata.
 const XMP: &str = "KHR_xmp_json_ld";

@@ -116,6 +116,7 @@ fn materials(root: &Root) -> Result<Vec<Material>> {
             metallic: pbr.metallic_factor.unwrap_or(1.0),
             roughness: pbr.roughness_factor.unwrap_or(1.0),
             double_sided: look.double_sided,
+            unlit: look.extensions.get(super::UNLIT).is_some(),
         })
     };
     root.materials.iter().map(one).collect()

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{FORMAT, SPLATTING, XMP, container, meshopt, splats};
+use super::{FORMAT, SPLATTING, UNLIT, XMP, container, meshopt, splats};
 use crate::asset::{Asset, Material};
 use crate::mesh::unit;
 use crate::{Error, Label, Mesh, Result};
@@ -91,6 +91,9 @@ pub fn write_as(asset: &Asset, compression: Compression) -> Result<Vec<u8>> {
     }
     if asset.splats.is_some() {
         used.push(SPLATTING);
+    }
+    if asset.materials.iter().any(|m| m.unlit) {
+        used.push(UNLIT);
     }
     let mut root = json!({
         "asset": { "version": "2.0", "generator": "Orb" },
@@ -184,6 +187,9 @@ fn material(m: &Material, images: usize) -> Result<Value> {
     }
     if m.double_sided {
         out["doubleSided"] = true.into();
+    }
+    if m.unlit {
+        out["extensions"] = json!({ UNLIT: {} });
     }
     if m.base_color[3] < 1.0 {
         out["alphaMode"] = "BLEND".into();

@@ -1,13 +1,16 @@
-//! `--format cdb`: the scene as a CDB store of its own: the ground as terrain and imagery, what stands on it as models.
+//! `--format cdb`: the scene as a CDB store of its own or in one that is there: the ground as terrain and imagery, what stands on
+//! it as models.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 use orb_formats::File;
-use orb_formats::cdb::{self, Memory};
+use orb_formats::cdb::{self, Memory, Store};
 
 use super::Placed;
 use crate::audit::Publication;
 use crate::audit::statement::Param;
+use crate::cli::format::OpenStore;
 use crate::export::{self, Catalogue, Labels, OnEarth};
 use crate::pipeline::scene::bodies::{self, Body};
 use crate::pipeline::scene::ground::{self, Filter, Surface};
@@ -20,6 +23,8 @@ use crate::{Error, Result};
 
 /// What the store holds, for who is told.
 pub struct Stored {
+    /// The published store, or the one that was there.
+    pub place: String,
     pub lods: [i8; 2],
     /// Square metres inside the outline, and the share of its cells that have Gaussians of their own.
     pub area: f64,
@@ -37,9 +42,10 @@ pub struct Stored {
 /// Lower bodies are left in the imagery, metres.
 const LEAST_HEIGHT: f64 = 1.0;
 
-/// A store in memory that knows the kinds of its files.
+/// What is added to a store, in memory, over what is there; knows the kinds of its files.
 #[derive(Default)]
 struct Growing {
+    there: Option<OpenStore>,
     store: Memory,
     kinds: BTreeMap<String, &'static str>,
 }
@@ -49,17 +55,54 @@ impl Growing {
         self.kinds.extend(files.iter().map(|f| (f.path.clone(), f.media_type)));
         self.store.write(files);
     }
+
+    /// Into the publication, or into the store that is there.
+    fn publish(self, stem: &str, folders: &[String], publication: &mut Publication) -> Result<()> {
+        let kinds = self.kinds;
+        let kind = |path: &str| kinds.get(path).copied().unwrap_or("application/octet-stream");
+        if let Some(there) = self.there {
+            let file = |(path, bytes): (String, Vec<u8>)| File { media_type: kind(&path), path, bytes };
+            let files: Vec<File> = self.store.files.into_iter().map(file).collect();
+            return there.merge(&files, folders, publication);
+        }
+        for folder in folders {
+            publication.add_folder(&format!("{stem}.cdb/{folder}"))?;
+        }
+        for (path, bytes) in &self.store.files {
+            publication.add(&format!("{stem}.cdb/{path}"), bytes, kind(path), "cdb")?;
+        }
+        Ok(())
+    }
+}
+
+impl Store for Growing {
+    fn read(&self, path: &str) -> std::io::Result<Option<Vec<u8>>> {
+        match (self.store.files.get(path), &self.there) {
+            (Some(bytes), _) => Ok(Some(bytes.clone())),
+            (None, Some(there)) => there.read(path),
+            (None, None) => Ok(None),
+        }
+    }
+
+    fn exists(&self, path: &str) -> std::io::Result<bool> {
+        match &self.there {
+            Some(there) if !self.store.files.contains_key(path) => there.exists(path),
+            _ => Ok(self.store.files.contains_key(path)),
+        }
+    }
 }
 
 /// How it is made.
 pub struct How<'a> {
     /// Models, at most.
     pub most: usize,
+    /// The store to add to; a new one where there is none.
+    pub into: Option<&'a Path>,
     pub progress: &'a dyn Progress,
     pub say: &'a dyn Fn(&str),
 }
 
-/// Puts `scene.cdb` into the publication.
+/// Puts `scene.cdb` into the publication, or its files into the store that was named.
 ///
 /// # Errors
 /// Usage where there is no ground to speak of; what the writer and the publication refuse.
@@ -68,7 +111,7 @@ pub fn publish(
     placed: &Placed,
     labels: &Labels,
     publication: &mut Publication,
-    &How { most, progress, say }: &How,
+    &How { most, into, progress, say }: &How,
 ) -> Result<Stored> {
     let missing = |found: &str| {
         Error::usage("--format cdb")
@@ -92,8 +135,19 @@ pub fn publish(
     let lods = export::levels(&surface, &earth)?;
     let pixel = (export::pixel_of(lods[1]) / scale) as f32;
     let marking = labels.marking.line();
-    let mut grown = Growing::default();
-    let (files, folders) = cdb::new_store(&marking, "made by Orb");
+    let mut grown = Growing { there: into.map(OpenStore::open).transpose()?, ..Growing::default() };
+    let (mut files, mut folders) = cdb::new_store(&marking, "made by Orb");
+    if let Some(there) = &grown.there {
+        // What a store has of its own stays.
+        let has =
+            |f: &File| there.exists(&f.path).map_err(|e| Error::environment(f.path.as_str()).found(e.to_string()));
+        let kept = files.iter().map(has).collect::<Result<Vec<bool>>>()?;
+        if kept.contains(&true) {
+            folders.clear();
+        }
+        let mut kept = kept.into_iter();
+        files.retain(|_| kept.next() != Some(true));
+    }
     grown.take(files);
 
     let seen = nadir::as_seen(&done.gaussians, &cameras);
@@ -101,15 +155,8 @@ pub fn publish(
     let mut modelled: BTreeSet<usize> = BTreeSet::new();
     let mut models = 0;
     for (k, body) in chosen.iter().enumerate() {
-        match model(
-            &seen,
-            body,
-            &surface,
-            &earth,
-            &format!("{}_{:02}", labels.stem, k + 1),
-            labels,
-            (&grown.store, progress),
-        ) {
+        match model(&seen, body, &surface, &earth, &format!("{}_{:02}", labels.stem, k + 1), labels, (&grown, progress))
+        {
             Ok(added) => {
                 grown.take(added.files);
                 modelled.extend(body.members.iter().chain(&body.feet));
@@ -128,18 +175,13 @@ pub fn publish(
     let ceiling = eyes.get(eyes.len() / 2).copied().unwrap_or(f32::INFINITY);
     let drawn = seen.filtered(|i| i < near && seen.positions[i].z < ceiling && !modelled.contains(&i));
     let picture = Nadir::of(&drawn, surface.bounds(), pixel);
-    let patch = export::add_terrain(&grown.store, &surface, &picture, &earth, lods, labels)?;
+    let patch = export::add_terrain(&grown, &surface, &picture, &earth, lods, labels)?;
     patch.notes.iter().for_each(|n| say(n));
     grown.take(patch.files);
-    for folder in folders {
-        publication.add_folder(&format!("{}.cdb/{folder}", labels.stem))?;
-    }
-    for (path, bytes) in &grown.store.files {
-        let kind = grown.kinds.get(path).copied().unwrap_or("application/octet-stream");
-        publication.add(&format!("{}.cdb/{path}", labels.stem), bytes, kind, "cdb")?;
-    }
+    grown.publish(&labels.stem, &folders, publication)?;
     let metres = |v: f32| f64::from(v) * scale;
     Ok(Stored {
+        place: into.map_or_else(|| format!("{}.cdb", labels.stem), |p| p.display().to_string()),
         lods,
         area: f64::from(surface.area()) * scale * scale,
         measured: surface.measured as f64 / surface.inside.max(1) as f64,
@@ -171,7 +213,7 @@ fn model(
     earth: &OnEarth,
     name: &str,
     labels: &Labels,
-    (store, progress): (&Memory, &dyn Progress),
+    (store, progress): (&dyn Store, &dyn Progress),
 ) -> Result<cdb::Added> {
     let (levels, placement) = export::standing(seen, body, surface, earth, &Within(progress))?;
     let labels = Labels { stem: name.into(), ..labels.clone() };
@@ -184,8 +226,9 @@ impl Stored {
     pub fn words(&self) -> String {
         let [terrain, imagery] = self.lods;
         format!(
-            "scene.cdb: {} models{}; {:.0} m² of ground seen, {:.0} % of it measured, the rest filled in; terrain to LOD {terrain} ({:.2} m), \
+            "{}: {} models{}; {:.0} m² of ground seen, {:.0} % of it measured, the rest filled in; terrain to LOD {terrain} ({:.2} m), \
              imagery to LOD {imagery} ({:.2} m); over {:.1} m around it into {:.2} m above the ellipsoid (invented)",
+            self.place,
             self.models,
             if self.left > 0 { format!(", {} more bodies left in the imagery", self.left) } else { String::new() },
             self.area,
@@ -201,6 +244,7 @@ impl Stored {
     pub fn params(&self) -> Vec<(String, Param)> {
         let text = |v: String| Param::Text(v);
         vec![
+            ("store".into(), text(crate::audit::record::printable(&self.place))),
             ("terrain_lod".into(), Param::Int(self.lods[0].into())),
             ("imagery_lod".into(), Param::Int(self.lods[1].into())),
             ("terrain_area_m2".into(), text(format!("{:.1}", self.area))),
@@ -217,7 +261,7 @@ impl Stored {
     /// For programs.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!({
-            "terrain_lod": self.lods[0], "imagery_lod": self.lods[1], "area_m2": self.area, "measured_share": self.measured,
+            "place": self.place, "terrain_lod": self.lods[0], "imagery_lod": self.lods[1], "area_m2": self.area, "measured_share": self.measured,
             "models": self.models, "bodies_left_in_imagery": self.left, "cell_m": self.cell, "photo_pixel_m": self.pixel, "band_m": self.band, "around_ellipsoidal_height_m": self.level,
         })
     }

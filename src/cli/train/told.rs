@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::store::Stored;
+use super::tiles::Tiled;
 use super::{Placed, StrategyName, Train};
 use crate::audit::statement::{Model, Param};
 use crate::audit::{Published, record};
@@ -132,6 +133,7 @@ pub struct Told<'a> {
     pub done: &'a Scene,
     pub placed: Option<&'a Placed>,
     pub stored: Option<&'a Stored>,
+    pub tiled: Option<&'a Tiled>,
     pub published: &'a Published,
     pub banner: String,
     pub seconds: f64,
@@ -197,6 +199,9 @@ impl Told<'_> {
         }
         if let Some(s) = self.stored {
             line("store", s.words());
+        }
+        if let Some(t) = self.tiled {
+            line("meshes", t.words());
         }
         let training =
             format!("{:.1} s, {:.1} a second", r.seconds.train, r.iterations as f64 / r.seconds.train.max(1e-9));
@@ -276,6 +281,7 @@ impl Told<'_> {
             "world_to_unit": done.to_unit.to_string(),
             "georeference": georeference,
             "store": self.stored.map(Stored::json),
+            "meshes": self.tiled.map(Tiled::json),
             "marking": self.banner,
             "record": {
                 "ledger_id": self.published.ledger_id, "seq": self.published.seq,

@@ -26,6 +26,8 @@ pub struct Job {
     /// 1: the scene as a whole.
     pub blocks: usize,
     pub on_gpu: bool,
+    /// Where a CDB store is made: models in it at most.
+    pub store_models: Option<usize>,
 }
 
 /// Seconds of this machine.
@@ -52,6 +54,18 @@ const CHECKPOINT: u64 = 780;
 const PART: u64 = 256;
 const PUBLISHED: u64 = 248 + 20;
 
+/// A CDB store at most: tiles of the finest level, a third of them for the levels above and one for each above those, of terrain
+/// (measured: 4.2 MB each, as they are not compressed) and of imagery (measured: up to 0.1 MB, assumed: 1 MB, as photos have
+/// more in them).
+const STORE_TILES: u64 = 36 * 4 / 3 + 20;
+const STORE_TILE: u64 = 4_200_000 + 1_000_000;
+/// Memory of a tile while it is made, and of what is written.
+const STORE_TILE_MADE: u64 = 12 << 20;
+/// Bytes of a model in it (measured: 10 MB for three), and seconds: of a model, and of a tile (measured on two cores: three
+/// models and 46 tiles in 8 s).
+const STORE_MODEL: u64 = 3_400_000;
+const STORE_SECONDS: [f64; 2] = [2.0, 0.05];
+
 /// What it takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plan {
@@ -68,10 +82,28 @@ pub struct Plan {
     pub seconds_of_a_block: f64,
     /// At the end, at most.
     pub gaussians: usize,
+    /// Of the disk, at most: the CDB store's.
+    pub store: u64,
 }
 
 /// What a job takes at a speed.
 pub fn plan(job: &Job, speed: &Speed) -> Plan {
+    let plan = trained(job, speed);
+    let Some(models) = job.store_models else { return plan };
+    let store = STORE_TILES * STORE_TILE + models as u64 * STORE_MODEL;
+    // After the training, whose photos are gone; the store is written from memory.
+    let after = plan.gaussians as u64 * 3 * PART + STORE_TILES * STORE_TILE_MADE + store;
+    Plan {
+        memory: plan.memory.max(after),
+        disk: plan.disk + store,
+        seconds: plan.seconds + models as f64 * STORE_SECONDS[0] + 2.0 * STORE_TILES as f64 * STORE_SECONDS[1],
+        store,
+        ..plan
+    }
+}
+
+/// Without a store.
+fn trained(job: &Job, speed: &Speed) -> Plan {
     let blocks = job.blocks.max(1);
     let cost = |photos: f64, pixels: f64| Cost {
         photos: photos as usize,
@@ -95,6 +127,7 @@ pub fn plan(job: &Job, speed: &Speed) -> Plan {
             seconds: n * read + steps * step(job.pixels, g) + measuring(g),
             seconds_of_a_block: 0.0,
             gaussians: job.gaussians,
+            store: 0,
         };
     }
     let shrink = f64::from(coarse_side(job.longest_side, blocks)) / f64::from(job.longest_side.max(1));
@@ -117,6 +150,7 @@ pub fn plan(job: &Job, speed: &Speed) -> Plan {
         seconds: coarse_seconds + blocks as f64 * seconds_of_a_block + measuring(end as f64),
         seconds_of_a_block,
         gaussians: end,
+        store: 0,
     }
 }
 
@@ -203,7 +237,11 @@ impl Plan {
         if job.blocks > 1 {
             out += &format!(": the coarse scene, then {} blocks of {}", job.blocks, time(self.seconds_of_a_block));
         }
-        out += &format!("\n  disk    about {}\n", gib(self.disk));
+        out += &format!("\n  disk    about {}", gib(self.disk));
+        if let Some(models) = job.store_models {
+            out += &format!(", of it {} at most for the CDB store with up to {models} models", gib(self.store));
+        }
+        out.push('\n');
         out + &format!("  result  at most {} Gaussians\n", self.gaussians)
     }
 }
@@ -224,6 +262,7 @@ mod tests {
             steps: 30_000,
             blocks,
             on_gpu: false,
+            store_models: None,
         }
     }
 
@@ -250,6 +289,20 @@ mod tests {
         assert!((1.8..2.01).contains(&(twice.seconds / whole(1000).seconds)));
         let fewer = plan(&Job { gaussians: 100_000, ..job(1000, 1) }, &SPEED);
         assert_eq!(whole(1000).memory - fewer.memory, 900_000 * 2600);
+    }
+
+    #[test]
+    fn a_store_takes_disk_and_time_by_its_models_and_is_named() {
+        let with = |models| plan(&Job { store_models: Some(models), ..job(40, 1) }, &SPEED);
+        let without = plan(&job(40, 1), &SPEED);
+        let [few, many] = [with(0), with(32)];
+        assert_eq!(few.disk - without.disk, few.store);
+        assert!((200 << 20..1 << 30).contains(&few.store), "{few:?}");
+        assert_eq!(many.store - few.store, 32 * STORE_MODEL);
+        assert!(many.seconds - few.seconds > 32.0 && few.seconds > without.seconds && many.memory >= without.memory);
+        let words = many.words(&Job { store_models: Some(32), ..job(40, 1) });
+        assert!(words.contains("CDB store with up to 32 models"), "{words}");
+        assert!(!without.words(&job(40, 1)).contains("CDB"));
     }
 
     #[test]

@@ -128,6 +128,17 @@ impl Surface {
         1.0 - t * t * (3.0 - 2.0 * t)
     }
 
+    /// Whether a place lies inside the outline.
+    pub fn holds(&self, p: Vec2) -> bool {
+        self.beyond(p).0 == 0.0
+    }
+
+    /// Lowest and highest inside the outline.
+    pub fn heights(&self) -> [f32; 2] {
+        let inside = (0..self.heights.len()).filter(|i| self.holds(self.middle(*i))).map(|i| self.heights[i]);
+        inside.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
+    }
+
     /// Mean height along the outline.
     pub fn height_of_edge(&self) -> f32 {
         let (mut sum, mut length) = (0.0, 0.0);
