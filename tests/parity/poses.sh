@@ -4,10 +4,10 @@
 #
 # usage: poses.sh ORB OUT
 #   ORB   the program;  OUT   a new folder for what is measured;  colmap and a Python with numpy must be there
-#   SIZE (200: the photos' longer side in training), ITERATIONS (1500), CAP (30000), DEVICE (cpu), DEGREES (0.3) and SHIFT
+#   PHOTOS (40) and PIXELS (800: their longer side as made), SIZE (200: in training), ITERATIONS (1500), CAP (30000), DEVICE (cpu), DEGREES (0.3) and SHIFT
 #   (0.005 of the distance) of the disturbance, ROWS and PYTHON (python3) may be set.
 #
-# The scene is made, 40 photos of 800 × 600 whose poses are known. Features and matches are COLMAP's, from the photos; what
+# The scene is made, photos whose poses are known. Features and matches are COLMAP's, from the photos; what
 # belongs together is decided under the true poses, so that all rows have the same observations, which favours bundle
 # adjustment: with poses that are off some of them would not have been found. Points are placed anew under the poses that
 # are off. Held-out photos are off like the others; the first figure is of their poses fitted to the finished Gaussians, in
@@ -21,7 +21,7 @@ set="$out/sets/00_site"
 quietly() { "$@" > "$out/last.log" 2>&1 || { cat "$out/last.log" >&2; exit 1; }; }
 if [ ! -d "$out/true.model" ]; then
     mkdir -p "$out/off_adjusted.model" "$out/true.model"
-    "$orb" bench make -o "$out/sets" --site --photos 40 --size 800 --seed 5 --scenes 1 --quiet
+    "$orb" bench make -o "$out/sets" --site --photos "${PHOTOS:-40}" --size "${PIXELS:-800}" --seed 5 --scenes 1 --quiet
     inside=$(awk 'NR == 1 {print $5 "," $6 "," $7 "," $8}' "$set/sparse/0/cameras.txt")
     quietly colmap feature_extractor --database_path "$out/db" --image_path "$set/images" --SiftExtraction.use_gpu 0 \
         --SiftExtraction.max_num_features 2500 --ImageReader.single_camera 1 --ImageReader.camera_model PINHOLE \
