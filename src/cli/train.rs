@@ -311,6 +311,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
 
     bar.begin("writing and sealing", 0);
     let placed = register::register(&fixes, &done.to_unit, args.seed).map(|r| placed(r, &done));
+    if let Some(words) = placed.as_ref().and_then(|p| p.registration.contradiction(&fixes)) {
+        eprintln!("orb: warning: {words}");
+    }
     let reading = time::now()?;
     let labels = Labels {
         stem: "scene".into(),

@@ -1,15 +1,15 @@
 //! Photos on the Earth: the similarity from their cameras' world to east, north, up, from the positions that the cameras wrote
 //! and from ground control points; f64 throughout.
 //!
-//! Outliers: the model of least median residual among those of small samples (P. J. Rousseeuw, "Least median of squares
-//! regression", JASA 1984), a residual beyond 3.5 robust standard deviations is one; then least squares over the rest
-//! ([`similarity::fit`]).
+//! Surveyed points decide where the scene stands, however many receivers say otherwise: what these are off by together is found
+//! first and taken out ([`robust::receivers_off`]). Then outliers are named and least squares fitted over the rest ([`robust`]).
+
+mod robust;
 
 use glam::{DMat3, DVec3};
 
-use crate::geo::similarity::{self, Pair, Similarity, Turn, symmetric_eigen};
+use crate::geo::similarity::{Pair, Similarity, Turn, symmetric_eigen};
 use crate::geo::{Enu, Geodetic};
-use crate::splat::train::random::Random;
 
 /// A point of the cameras' world with its place on the Earth.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +40,10 @@ pub struct Registration {
     /// From that frame (Z up) to east, north, up of `origin`, metres.
     pub to_enu: Similarity,
     pub origin: Geodetic,
+    /// Of receivers without `receivers_off`.
     pub residuals: Vec<Residual>,
+    /// How far the receivers' places lie from the control points together: east, north, up, metres. `None` without both.
+    pub receivers_off: Option<DVec3>,
     /// One standard deviation: relative; degrees.
     pub scale_sigma: f64,
     pub heading_sigma: f64,
@@ -53,14 +56,7 @@ pub struct Registration {
 
 /// The part of a receiver's stated deviation that all photos of a flight share; the fit cannot see it. Assumed.
 const COMMON: f64 = 0.5;
-/// Samples tried where there are more.
-const SAMPLES: usize = 1000;
-/// A residual beyond so many robust deviations is an outlier's.
-const OUTLIER: f64 = 3.5;
-/// Residuals may be this part of what their deviations say, not less: the median of few is often small by chance.
-const LEAST_DEVIATION: f64 = 0.5;
-
-/// Nor are many believed to be better than this part of what they say.
+/// Many fixes are not believed to be better than this part of what they say.
 const BELIEVED: f64 = 0.1;
 
 /// The fixes in east, north, up of the median place.
@@ -87,73 +83,6 @@ fn local(fixes: &[Fix], to: &Similarity) -> Option<Local> {
         })
         .collect();
     Some(Local { origin, pairs })
-}
-
-/// Length of a residual in its own deviations.
-fn in_deviations(d: DVec3, fix: &Fix) -> f64 {
-    (d.truncate().length() / fix.horizontal.max(1e-6)).hypot(d.z / fix.vertical.max(1e-6))
-}
-
-/// Which fixes agree, and the fit over them.
-fn robust(fixes: &[Fix], pairs: &[Pair], turn: Turn, seed: u64) -> Option<(Similarity, Vec<bool>)> {
-    let n = pairs.len();
-    let size = if turn == Turn::Free { 3 } else { 2 };
-    if n < size {
-        return None;
-    }
-    let off = |s: &Similarity| -> Vec<f64> {
-        fixes.iter().zip(pairs).map(|(f, p)| in_deviations(s.apply(p.from) - p.to, f)).collect()
-    };
-    let all = || Some((similarity::fit(pairs, turn)?, vec![true; n]));
-    // As many unknowns as there are numbers: nothing can disagree.
-    if n <= size + 1 {
-        return all();
-    }
-    let mut samples: Vec<Vec<usize>> = Vec::new();
-    let count = if size == 2 { n * (n - 1) / 2 } else { n * (n - 1) * (n - 2) / 6 };
-    if count <= SAMPLES {
-        for a in 0..n {
-            for b in 0..a {
-                if size == 2 {
-                    samples.push(vec![a, b]);
-                } else {
-                    samples.extend((0..b).map(|c| vec![a, b, c]));
-                }
-            }
-        }
-    } else {
-        let mut random = Random::new(seed);
-        for _ in 0..SAMPLES {
-            samples.push((0..size).map(|_| (random.next() % n as u64) as usize).collect());
-        }
-    }
-    let mut best: Option<(f64, Similarity)> = None;
-    for sample in samples {
-        let chosen: Vec<Pair> = sample.iter().map(|i| pairs[*i]).collect();
-        let Some(s) = similarity::fit(&chosen, turn) else { continue };
-        let mut r = off(&s);
-        r.sort_by(f64::total_cmp);
-        let median = r[n / 2];
-        if best.as_ref().is_none_or(|(least, _)| median < *least) {
-            best = Some((median, s));
-        }
-    }
-    let (median, mut s) = best?;
-    let mut kept = vec![true; n];
-    // Rousseeuw's factor for few observations; of three numbers a fix, half lie within 1.54 deviations.
-    let mut deviation = (median / 1.54 * (1.0 + 5.0 / (3 * n - size) as f64)).max(LEAST_DEVIATION);
-    for _ in 0..4 {
-        kept = off(&s).iter().map(|r| *r <= OUTLIER * deviation).collect();
-        let inliers: Vec<Pair> = pairs.iter().zip(&kept).filter(|(_, k)| **k).map(|(p, _)| *p).collect();
-        if inliers.len() < size {
-            return all();
-        }
-        s = similarity::fit(&inliers, turn)?;
-        let square: f64 = off(&s).iter().zip(&kept).filter(|(_, k)| **k).map(|(r, _)| r * r).sum();
-        let free = (3 * inliers.len()).saturating_sub(if turn == Turn::Free { 7 } else { 5 }).max(1);
-        deviation = (square / free as f64).sqrt().max(LEAST_DEVIATION) * 1.2;
-    }
-    Some((s, kept))
 }
 
 /// Covariance of (shift, log scale, turn about x, y, z) of a fit about the middle of its fixes, in the order of the unknowns
@@ -219,8 +148,9 @@ fn known(fixes: &[Fix], pairs: &[Pair], s: &Similarity, kept: &[bool], turn: Tur
 
 /// Up in the cameras' world and its standard deviation, degrees, where the fixes leave it no choice.
 pub fn up(fixes: &[Fix], seed: u64) -> Option<(DVec3, f64)> {
-    let l = local(fixes, &Similarity::IDENTITY)?;
-    let (s, kept) = robust(fixes, &l.pairs, Turn::Free, seed)?;
+    let mut l = local(fixes, &Similarity::IDENTITY)?;
+    robust::receivers_off(fixes, &mut l.pairs, Turn::Free, seed);
+    let (s, kept) = robust::fit(fixes, &l.pairs, Turn::Free, seed)?;
     if kept.iter().filter(|k| **k).count() < 4 {
         return None;
     }
@@ -231,8 +161,9 @@ pub fn up(fixes: &[Fix], seed: u64) -> Option<(DVec3, f64)> {
 /// A frame with Z up, to which `to` leads from the cameras' world, on the Earth. `None` where the fixes leave scale or
 /// heading open.
 pub fn register(fixes: &[Fix], to: &Similarity, seed: u64) -> Option<Registration> {
-    let l = local(fixes, to)?;
-    let (to_enu, kept) = robust(fixes, &l.pairs, Turn::AboutUp, seed)?;
+    let mut l = local(fixes, to)?;
+    let receivers_off = robust::receivers_off(fixes, &mut l.pairs, Turn::AboutUp, seed);
+    let (to_enu, kept) = robust::fit(fixes, &l.pairs, Turn::AboutUp, seed)?;
     let k = known(fixes, &l.pairs, &to_enu, &kept, Turn::AboutUp);
     let residual = |((f, p), kept): ((&Fix, &Pair), &bool)| Residual {
         name: f.name.clone(),
@@ -248,6 +179,7 @@ pub fn register(fixes: &[Fix], to: &Similarity, seed: u64) -> Option<Registratio
         if by_receiver { [mean(|f| f.horizontal), mean(|f| f.vertical)].map(|v| COMMON * v) } else { [0.0; 2] };
     Some(Registration {
         residuals: fixes.iter().zip(&l.pairs).zip(&kept).map(residual).collect(),
+        receivers_off,
         to_enu,
         origin: l.origin,
         scale_sigma: k.scale,
@@ -290,6 +222,21 @@ impl Registration {
         [mean(|r| r.enu.truncate().length_squared()), mean(|r| r.enu.z * r.enu.z)]
     }
 
+    /// What to tell the user where receivers and control points contradict each other by more than receivers are off, `deviations`
+    /// of the fixes' own.
+    pub fn contradiction(&self, fixes: &[Fix]) -> Option<String> {
+        let off = self.receivers_off?;
+        let receivers = || fixes.iter().filter(|f| !f.control);
+        let most = |of: fn(&Fix) -> f64| receivers().map(of).fold(0.0, f64::max) * robust::OUTLIER;
+        let (across, up) = (off.truncate().length(), off.z);
+        (across > most(|f| f.horizontal) || up.abs() > most(|f| f.vertical)).then(|| {
+            format!(
+                "the photos' own places lie {across:.1} m beside and {up:+.1} m above the control points together; the control \
+                 points are followed. Are heights of one kind above the ellipsoid and of the other above the geoid?"
+            )
+        })
+    }
+
     pub fn outliers(&self) -> impl Iterator<Item = &Residual> {
         self.residuals.iter().filter(|r| r.outlier)
     }
@@ -305,6 +252,7 @@ impl Registration {
 #[cfg(test)]
 pub mod tests {
     use super::*;
+    use crate::splat::train::random::Random;
     use glam::DQuat;
 
     /// Cameras around a point, their places with independent noise; the true similarity from the world to ENU of `home`.
@@ -383,6 +331,59 @@ pub mod tests {
         let rms = |v: &[f64]| (v.iter().map(|x| x * x).sum::<f64>() / v.len() as f64).sqrt();
         assert!((0.6..1.5).contains(&rms(&in_sigmas)), "{}", rms(&in_sigmas));
         assert!((0.6..1.6).contains(&rms(&scales)), "{}", rms(&scales));
+    }
+
+    /// Surveyed points on the ground among the cameras.
+    fn surveyed(n: u32, truth: &Similarity, home: &Geodetic) -> Vec<Fix> {
+        (0..n)
+            .map(|i| {
+                let at =
+                    DVec3::new(f64::from(i * 17 % 31) - 15.0, f64::from(i * 11 % 23) - 11.0, 0.5 * f64::from(i % 3));
+                let place = home.offset(Enu { east: at.x, north: at.y, up: at.z });
+                let at = truth.inverse().apply(at);
+                Fix { name: format!("P{i}"), at, place, horizontal: 0.02, vertical: 0.03, control: true }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn surveyed_points_decide_however_many_receivers_say_otherwise() {
+        for points in [1, 2, 3, 4, 6] {
+            let (mut fixes, truth, home) = flight(40, [1.5, 3.0], 7);
+            // Heights above the geoid, taken for heights above the ellipsoid.
+            for f in &mut fixes {
+                f.place.height -= 100.0;
+            }
+            fixes.extend(surveyed(points, &truth, &home));
+            let to = upright(&truth);
+            let r = register(&fixes, &to, 3).unwrap();
+            assert_eq!(r.outliers().count(), 0, "{points}: {:?}", r.outliers().collect::<Vec<_>>());
+            let off = r.receivers_off.unwrap();
+            assert!((off.z + 100.0).abs() < 3.0 && off.truncate().length() < 2.0, "{points}: {off:?}");
+            assert!(r.contradiction(&fixes).unwrap().contains("-"), "{points}");
+            let point = fixes.iter().find(|f| f.control).unwrap();
+            let miss = home.local(r.place(to.apply(point.at)).to_ecef()).up - home.local(point.place.to_ecef()).up;
+            assert!(miss.abs() < 0.05, "{points}: {miss}");
+            assert!(r.sigma(to.apply(point.at))[1] < 0.5, "{points}: {:?}", r.sigma(to.apply(point.at)));
+        }
+        let (mut fixes, truth, home) = flight(16, [1.5, 3.0], 7);
+        fixes.extend(surveyed(5, &truth, &home));
+        let r = register(&fixes, &upright(&truth), 3).unwrap();
+        assert!(r.contradiction(&fixes).is_none() && r.outliers().count() == 0);
+    }
+
+    #[test]
+    fn a_surveyed_point_that_the_others_contradict_is_named() {
+        let (mut fixes, truth, home) = flight(16, [1.5, 3.0], 9);
+        let mut points = surveyed(6, &truth, &home);
+        points[2].place = points[2].place.offset(Enu { east: 4.0, north: 0.0, up: 1.0 });
+        fixes.extend(points);
+        let to = upright(&truth);
+        let r = register(&fixes, &to, 3).unwrap();
+        assert_eq!(r.outliers().map(|o| o.name.as_str()).collect::<Vec<_>>(), ["P2"]);
+        let miss = home.local(r.place(to.apply(fixes[16].at)).to_ecef());
+        let want = home.local(fixes[16].place.to_ecef());
+        assert!((miss.east - want.east).hypot(miss.north - want.north) < 0.1, "{miss:?} {want:?}");
     }
 
     #[test]

@@ -240,6 +240,7 @@ pub fn place(
         }
     };
     if let Some(r) = &registration {
+        warnings.extend(r.contradiction(fixes));
         warnings.extend(r.outliers().map(|o| {
             format!(
                 "{} lies {:.1} m from where the others put it and is not used for the place",

@@ -118,7 +118,10 @@ pub fn params(
             ("georegistration_outliers", r.outliers().map(|o| o.name.clone()).collect::<Vec<_>>().join(", ")),
             ("unit_to_enu", format!("{} about {} {} {}", r.to_enu, at.latitude, at.longitude, at.height)),
         ];
-        all.extend(more.into_iter().map(|(k, v)| (k.to_owned(), text(record::printable(&v)))));
+        let receivers =
+            r.receivers_off.map(|d| ("receivers_off_m", format!("{:.3} east, {:.3} north, {:.3} up", d.x, d.y, d.z)));
+        let more = more.into_iter().chain(receivers);
+        all.extend(more.map(|(k, v)| (k.to_owned(), text(record::printable(&v)))));
     }
     all.extend(set.params());
     all
