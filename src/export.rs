@@ -17,13 +17,12 @@ use orb_formats::{File, Image, Label, Place, cdb, collada, kmz, openflight, sgi}
 
 use crate::audit::{Marking, inband};
 use crate::geo::Placement;
-use crate::mesh::{self, Details, Level, provenance};
+use crate::mesh::{self, Details, Level, Model, provenance};
 use crate::models::scene::Subject;
 use crate::pipeline::{Fitted, Reconstruction};
 use crate::preview::{self, Tile};
 use crate::splat::{self, Camera, Frame, Gaussians};
-use crate::symmetry::Basis;
-use crate::{Error, Kind, Result, views};
+use crate::{Error, Kind, Result, symmetry, views};
 
 pub use mesh_tree::{FOLDER as MESH_TREE, MeshTree};
 pub use model::{glb, tiles3d, usdz};
@@ -279,14 +278,15 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: &Marking) -> R
         let caption = format!("{} vertices", level.mesh.positions.len());
         last.push(tile(draw(level, &cameras[8]), &caption));
     }
-    let known = known_row(finest, &cameras[..6], r.symmetry.iter().any(|f| f.basis == Some(Basis::Assumed)));
+    let known = known_row(&r.model, &cameras[..6], symmetry::assumed(&r.symmetry));
     let sheet = preview::sheet(&[what, six, turned.collect(), known, last], &marking.banner());
     marked_png(&sheet.into(), marking)
 }
 
 /// The model in the colours of where its texture comes from; the first captions say which is which.
-fn known_row(level: &Level, cameras: &[Camera], assumed: bool) -> Vec<Tile> {
-    let shown = provenance::shown(&level.provenance, &level.texture);
+fn known_row(model: &Model, cameras: &[Camera], assumed: bool) -> Vec<Tile> {
+    let level = &model.levels[0];
+    let shown = provenance::shown(&model.provenance, &level.texture);
     let legend = ["green: photo", if assumed { "blue: assumed" } else { "blue: mirrored" }, "orange: invented"];
     let draw = |(i, camera): (usize, &Camera)| {
         let image = mesh::raster(&level.mesh, Some(&shown), camera, [255, 255, 255], 2);
@@ -300,8 +300,8 @@ pub const PROVENANCE: &str = "texture_provenance.png";
 
 /// Where the texture of the finest level comes from: [`provenance::shares`] by its texture coordinates, which every format
 /// shares.
-pub fn provenance_png(level: &Level, marking: &Marking) -> Result<Vec<u8>> {
-    marked_png(&level.provenance.clone().into(), marking)
+pub fn provenance_png(model: &Model, marking: &Marking) -> Result<Vec<u8>> {
+    marked_png(&model.provenance.clone().into(), marking)
 }
 
 /// The same of a photo that no mesh was made of: the Gaussians turned.

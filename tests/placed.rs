@@ -47,7 +47,6 @@ fn solid() -> Level {
         error_to_coarser: 1.2,
         seen: 1.0,
         mirrored: 0.0,
-        provenance: image::RgbImage::from_pixel(8, 8, image::Rgb(orb::mesh::provenance::SEEN)),
     }
 }
 

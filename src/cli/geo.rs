@@ -392,7 +392,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let store_model = format::publish(&formats, &content, target, ground, &mut run.publication)?;
     bar.check()?;
     if formats.iter().any(|f| f.has_levels(args.write.tiles)) {
-        let picture = export::provenance_png(&done.model.levels[0], &product)?;
+        let picture = export::provenance_png(&done.model, &product)?;
         run.publication.add(export::PROVENANCE, &picture, "image/png", "provenance")?;
     }
     let preview = export::preview_png(&photo.pixels, &done, &product)?;

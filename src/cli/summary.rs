@@ -62,9 +62,8 @@ pub fn text(s: &Summary) -> String {
     }
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));
-    let bases: Vec<symmetry::Basis> = s.done.symmetry.iter().filter_map(|f| f.basis).collect();
-    let assumed = if bases.contains(&symmetry::Basis::Assumed) { " (assumed)" } else { "" };
-    let mirrored = match bases.len() {
+    let assumed = if symmetry::assumed(&s.done.symmetry) { " (assumed)" } else { "" };
+    let mirrored = match symmetry::used(&s.done.symmetry).len() {
         0 => String::new(),
         1 => format!("{:.0}% from the photo mirrored{assumed}, ", finest.mirrored * 100.0),
         _ => format!("{:.0}% from the photo mirrored at two planes{assumed}, ", finest.mirrored * 100.0),

@@ -1,6 +1,7 @@
 //! `orb train`: a folder of posed photos becomes the Gaussians of a whole scene, measured on photos held out, marked and sealed.
 
 mod blocks;
+mod ground;
 mod store;
 mod tiles;
 mod told;
@@ -27,11 +28,11 @@ use crate::geo::{HeadingSource, Placement, ScaleSource};
 use crate::models::Graph;
 use crate::photos::register::{self, Registration};
 use crate::photos::{colmap, dataset};
-use crate::pipeline::scene::ground::Filter;
 use crate::pipeline::scene::plan::Job;
 use crate::pipeline::scene::{self, Background, Cost, Scene, Sky, Source, Strategy};
 use crate::progress::Progress;
 use crate::{Error, Result, memory, splat};
+use ground::Ground;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum StrategyName {
@@ -328,8 +329,16 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     };
     let whole = ply(&done.gaussians)?;
     sealed.publication.add(&whole.path, &whole.bytes, whole.media_type, "gaussians")?;
-    if args.split_ground {
-        for (name, g) in ground_and_objects(&done)? {
+    let tiled = |content| args.format.contains(&SceneFormat::Tiles3d) && args.tiles.contains(&content);
+    let for_ground = [
+        (args.split_ground, "--split-ground"),
+        (args.format.contains(&SceneFormat::Cdb), "--format cdb"),
+        (tiled(TileContent::Mesh), "--tiles mesh"),
+    ];
+    let asked = for_ground.iter().find(|(asked, _)| *asked);
+    let ground = asked.map(|(_, option)| Ground::of(&done, option)).transpose()?;
+    if let (true, Some(ground)) = (args.split_ground, &ground) {
+        for (name, g) in ground_and_objects(&done, ground) {
             let file = ply(&g)?;
             sealed.publication.add(name, &file.bytes, file.media_type, "gaussians")?;
         }
@@ -340,7 +349,6 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         let spz = export::spz(g, &labels, orb_formats::spz::Version::V3)?;
         sealed.publication.add(&spz.path, &spz.bytes, spz.media_type, "gaussians")?;
     }
-    let tiled = |content| args.format.contains(&SceneFormat::Tiles3d) && args.tiles.contains(&content);
     if let (true, Some(p), Some(g)) = (tiled(TileContent::Splats), &placed, &in_metres) {
         let near = g.filtered(|i| i < g.len() - done.sky);
         for file in export::splat_tree(&near, export::TILE_OF_SPLATS, &p.placement, &labels)? {
@@ -352,16 +360,16 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
             sealed.publication.add(&format!("sparse/0/{name}"), text.as_bytes(), "text/plain", "poses")?;
         }
     }
-    let stored = match &placed {
-        Some(p) if args.format.contains(&SceneFormat::Cdb) => {
+    let stored = match placed.as_ref().zip(ground.as_ref()) {
+        Some((p, ground)) if args.format.contains(&SceneFormat::Cdb) => {
             let how = store::How { most: args.models as usize, into: args.cdb.as_deref(), progress: &bar, say: &say };
-            Some(store::publish(&done, p, &labels, &mut sealed.publication, &how)?)
+            Some(store::publish(&done, ground, p, &labels, &mut sealed.publication, &how)?)
         }
         _ => None,
     };
-    let meshed = match &placed {
-        Some(p) if tiled(TileContent::Mesh) => {
-            Some(tiles::publish(&done, p, &labels, &mut sealed.publication, args.mesh_sample, &bar)?)
+    let meshed = match placed.as_ref().zip(ground.as_ref()) {
+        Some((p, ground)) if tiled(TileContent::Mesh) => {
+            Some(tiles::publish(&done, ground, p, &labels, &mut sealed.publication, args.mesh_sample, &bar)?)
         }
         _ => None,
     };
@@ -403,16 +411,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
 }
 
 /// The ground's Gaussians and those of what stands on it, in the unit frame, without the sky.
-fn ground_and_objects(done: &Scene) -> Result<[(&'static str, splat::Gaussians); 2]> {
-    let near = done.gaussians.len() - done.sky;
-    let (_, ground) = scene::ground::separated(&done.gaussians, near, &Filter::default()).ok_or_else(|| {
-        Error::usage("--split-ground")
-            .expected("ground below what the photos look at")
-            .found("too few opaque Gaussians there")
-            .advice("Train for longer, or leave --split-ground out.")
-    })?;
-    let of = |is_ground: bool| done.gaussians.filtered(|i| i < near && ground[i] == is_ground);
-    Ok([("ground.ply", of(true)), ("objects.ply", of(false))])
+fn ground_and_objects(done: &Scene, ground: &Ground) -> [(&'static str, splat::Gaussians); 2] {
+    let of = |wanted: bool| done.gaussians.filtered(|i| i < ground.near && ground.is_ground[i] == wanted);
+    [("ground.ply", of(true)), ("objects.ply", of(false))]
 }
 
 /// Says what the run takes.

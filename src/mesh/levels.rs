@@ -47,10 +47,10 @@ pub(super) fn build(
     for (mesh, &size) in meshes.iter().zip(sizes) {
         progress.check()?;
         textures.push(match textures.is_empty() {
-            true => (baked.image(), baked.shares(), provenance::shares(&baked)),
+            true => (baked.image(), baked.shares()),
             false => {
                 let coarse = transfer(mesh, size, finest, &bvhs[0], &baked);
-                (coarse.image(), coarse.shares(), provenance::shares(&coarse))
+                (coarse.image(), coarse.shares())
             }
         });
     }
@@ -67,11 +67,18 @@ pub(super) fn build(
         .zip(textures)
         .zip(errors)
         .zip(extras)
-        .map(|(((mesh, (texture, [seen, mirrored], provenance)), ([error, mean_error], error_to_coarser)), details)| {
-            Level { mesh, texture, details, error, mean_error, error_to_coarser, seen, mirrored, provenance }
+        .map(|(((mesh, (texture, [seen, mirrored])), ([error, mean_error], error_to_coarser)), details)| Level {
+            mesh,
+            texture,
+            details,
+            error,
+            mean_error,
+            error_to_coarser,
+            seen,
+            mirrored,
         })
         .collect();
-    Ok(Model { levels, surface })
+    Ok(Model { levels, provenance: provenance::shares(&baked), surface })
 }
 
 /// One solid without cavities and floaters, and where it stands.

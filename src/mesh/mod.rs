@@ -251,8 +251,6 @@ pub struct Level {
     pub seen: f32,
     /// Share of texels coloured from mirror images of the photo.
     pub mirrored: f32,
-    /// The same texel by texel, as large as the texture: [`provenance::shares`].
-    pub provenance: RgbImage,
 }
 
 /// The textured model.
@@ -260,6 +258,8 @@ pub struct Level {
 pub struct Model {
     /// Finest first.
     pub levels: Vec<Level>,
+    /// Where the finest level's texture comes from, as large as it: [`provenance::shares`].
+    pub provenance: RgbImage,
     /// The surface before simplification.
     pub surface: Surface,
 }

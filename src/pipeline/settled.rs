@@ -92,7 +92,6 @@ mod tests {
             error_to_coarser: 1.0,
             seen: 0.0,
             mirrored: 0.0,
-            provenance: RgbImage::from_pixel(16, 16, Rgb([255, 0, 0])),
         }
     }
 

@@ -17,7 +17,7 @@ use crate::splat::{Camera, Gaussians};
 
 pub use complete::{Completed, MirroredPhoto, complete};
 pub use evidence::Seen;
-pub use search::{Basis, Fit, Found, find, used};
+pub use search::{Basis, Fit, Found, assumed, find, used};
 
 /// Which symmetry is used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -110,6 +110,11 @@ pub fn used(found: &[Found]) -> Vec<Plane> {
     found.iter().filter(|f| f.used()).map(|f| f.fit.plane).collect()
 }
 
+/// Whether a plane that is used was assumed.
+pub fn assumed(found: &[Found]) -> bool {
+    found.iter().any(|f| f.basis == Some(Basis::Assumed))
+}
+
 /// The best plane, and where that one is used or fits about as well the best at right angles to it. Empty where nothing is looked for, or too
 /// little is solid to judge.
 ///

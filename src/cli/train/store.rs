@@ -8,16 +8,16 @@ use orb_formats::File;
 use orb_formats::cdb::{self, Memory, Store};
 
 use super::Placed;
+use super::ground::Ground;
 use crate::audit::Publication;
 use crate::audit::statement::Param;
 use crate::cli::format::OpenStore;
 use crate::export::{self, Catalogue, Labels, OnEarth};
+use crate::pipeline::scene::Scene;
 use crate::pipeline::scene::bodies::{self, Body};
-use crate::pipeline::scene::ground::{self, Filter, Surface};
+use crate::pipeline::scene::ground::Surface;
 use crate::pipeline::scene::nadir::{self, Nadir};
-use crate::pipeline::scene::{Role, Scene};
 use crate::progress::Progress;
-use crate::splat::Camera;
 use crate::splat::Gaussians;
 use crate::{Error, Result};
 
@@ -108,29 +108,18 @@ pub struct How<'a> {
 /// Usage where there is no ground to speak of; what the writer and the publication refuse.
 pub fn publish(
     done: &Scene,
+    ground: &Ground,
     placed: &Placed,
     labels: &Labels,
     publication: &mut Publication,
     &How { most, into, progress, say }: &How,
 ) -> Result<Stored> {
-    let missing = |found: &str| {
-        Error::usage("--format cdb")
-            .expected("ground that at least three photos see from above")
-            .found(found)
-            .advice("Train for longer, or leave cdb out.")
-    };
-    let near = done.gaussians.len() - done.sky;
-    let (terrain, is_ground) = ground::separated(&done.gaussians, near, &Filter::default())
-        .ok_or_else(|| missing("too few opaque Gaussians below what the photos look at"))?;
-    let cameras: Vec<Camera> = done.views.iter().filter(|v| v.role == Role::Trained).map(|v| v.camera).collect();
-    let surface_of = |is_ground: &[bool]| {
-        Surface::of(&done.gaussians, is_ground, &terrain, &cameras).ok_or_else(|| missing("no such place"))
-    };
-    let surface = surface_of(&is_ground)?;
+    let Ground { near, is_ground, cameras, .. } = ground;
+    let surface = ground.surface(done, is_ground)?;
     let scale = placed.registration.to_enu.scale;
-    let all = bodies::of(&done.gaussians, near, &is_ground, &surface, (LEAST_HEIGHT / scale) as f32);
+    let all = bodies::of(&done.gaussians, *near, is_ground, &surface, (LEAST_HEIGHT / scale) as f32);
     let chosen = &all[..all.len().min(most)];
-    let surface = surface_of(&bodies::cleared(&is_ground, chosen))?;
+    let surface = ground.surface(done, &bodies::cleared(is_ground, chosen))?;
     let earth = OnEarth::new(&placed.registration);
     let lods = export::levels(&surface, &earth)?;
     let pixel = (export::pixel_of(lods[1]) / scale) as f32;
@@ -150,7 +139,7 @@ pub fn publish(
     }
     grown.take(files);
 
-    let seen = nadir::as_seen(&done.gaussians, &cameras);
+    let seen = nadir::as_seen(&done.gaussians, cameras);
     progress.begin("models", chosen.len() as u64);
     let mut modelled: BTreeSet<usize> = BTreeSet::new();
     let mut models = 0;
@@ -169,11 +158,9 @@ pub fn publish(
         }
         progress.step(k as u64 + 1);
     }
-    // What has become a model is not in the imagery below it, all else is. What hangs above most cameras is taken for air.
-    let mut eyes: Vec<f32> = cameras.iter().map(|c| c.position().z).collect();
-    eyes.sort_unstable_by(f32::total_cmp);
-    let ceiling = eyes.get(eyes.len() / 2).copied().unwrap_or(f32::INFINITY);
-    let drawn = seen.filtered(|i| i < near && seen.positions[i].z < ceiling && !modelled.contains(&i));
+    // What has become a model is not in the imagery below it, all else is.
+    let ceiling = ground.ceiling();
+    let drawn = seen.filtered(|i| i < *near && seen.positions[i].z < ceiling && !modelled.contains(&i));
     let picture = Nadir::of(&drawn, surface.bounds(), pixel);
     let patch = export::add_terrain(&grown, &surface, &picture, &earth, lods, labels)?;
     patch.notes.iter().for_each(|n| say(n));

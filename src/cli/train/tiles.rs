@@ -3,16 +3,17 @@
 use glam::{Vec2, Vec3};
 
 use super::Placed;
+use super::ground::Ground;
+use crate::Result;
 use crate::audit::Publication;
 use crate::audit::statement::Param;
 use crate::export::{Labels, MeshTree};
 use crate::mesh::{self, tiles};
-use crate::pipeline::scene::ground::{self, Filter, Surface};
-use crate::pipeline::scene::{Role, Scene, nadir};
+use crate::pipeline::scene::ground::Surface;
+use crate::pipeline::scene::{Scene, nadir};
 use crate::progress::Progress;
 use crate::splat::Camera;
 use crate::splat::render::Drawers;
-use crate::{Error, Result};
 
 /// Of the opaque Gaussians over the ground, so many lie below the top of the meshes; what hangs higher is cut off.
 const TOP: f64 = 0.999;
@@ -47,28 +48,18 @@ pub struct Level {
 /// Usage where there is no ground to speak of; what the writer and the publication refuse.
 pub fn publish(
     done: &Scene,
+    ground: &Ground,
     placed: &Placed,
     labels: &Labels,
     publication: &mut Publication,
     voxel: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<Tiled> {
-    let missing = |found: &str| {
-        Error::usage("--tiles mesh")
-            .expected("ground that at least three photos see from above")
-            .found(found)
-            .advice("Train for longer, or leave it out.")
-    };
-    let near = done.gaussians.len() - done.sky;
-    let (terrain, is_ground) = ground::separated(&done.gaussians, near, &Filter::default())
-        .ok_or_else(|| missing("too few opaque Gaussians below what the photos look at"))?;
-    let cameras: Vec<Camera> = done.views.iter().filter(|v| v.role == Role::Trained).map(|v| v.camera).collect();
-    let surface =
-        Surface::of(&done.gaussians, &is_ground, &terrain, &cameras).ok_or_else(|| missing("no such place"))?;
+    let surface = ground.surface(done, &ground.is_ground)?;
     let scale = placed.registration.to_enu.scale;
     let inside = |p: Vec2| surface.holds(p);
-    let seen = nadir::as_seen(&done.gaussians, &cameras).filtered(|i| i < near);
-    let [low, high] = heights(done, &surface, near);
+    let seen = nadir::as_seen(&done.gaussians, &ground.cameras).filtered(|i| i < ground.near);
+    let [low, high] = heights(done, &surface, ground);
     let [from, to] = surface.bounds();
     let margin = 8.0 * surface.cell;
     let drawers = Drawers::new(&seen);
@@ -78,7 +69,7 @@ pub fn publish(
     };
     let scene = tiles::Scene {
         render: &render,
-        cameras: &cameras,
+        cameras: &ground.cameras,
         inside: &inside,
         low: (from + surface.band - surface.cell).extend(low - margin),
         high: (to - surface.band + surface.cell).extend(high + 2.0 * surface.cell),
@@ -114,13 +105,11 @@ pub fn publish(
 }
 
 /// Lowest ground and highest thing inside the outline. What hangs above most cameras is taken for air.
-fn heights(done: &Scene, surface: &Surface, near: usize) -> [f32; 2] {
+fn heights(done: &Scene, surface: &Surface, ground: &Ground) -> [f32; 2] {
     let g = &done.gaussians;
     let logit = (OPAQUE / (1.0 - OPAQUE)).ln();
-    let mut eyes: Vec<f32> = done.views.iter().map(|v| v.camera.position().z).collect();
-    eyes.sort_unstable_by(f32::total_cmp);
-    let ceiling = eyes.get(eyes.len() / 2).copied().unwrap_or(f32::INFINITY);
-    let opaque = (0..near).filter(|i| g.logit_opacities[*i] > logit).map(|i| g.positions[i]);
+    let ceiling = ground.ceiling();
+    let opaque = (0..ground.near).filter(|i| g.logit_opacities[*i] > logit).map(|i| g.positions[i]);
     let mut z: Vec<f32> = opaque.filter(|p| p.z < ceiling && surface.holds(p.truncate())).map(|p| p.z).collect();
     z.sort_unstable_by(f32::total_cmp);
     let ground = surface.heights();
