@@ -1,6 +1,7 @@
 // The loss's gradient: a workgroup of 256 threads a tile of 16×16 pixels, one pixel a thread, a channel at a time.
 //
-// L = a Σ|x − y| + b Σ SSIM (b < 0). With W the window, ∂ΣSSIM/∂x = W∂μ + 2x W∂q + y W∂r, from ssim.wgsl's planes.
+// L = a Σ w|x − y| + b Σ w SSIM (b < 0), w a pixel's weight. With W the window, ∂Σ w SSIM/∂x = W w∂μ + 2x W w∂q + y W w∂r, from
+// ssim.wgsl's planes.
 // Out: ∂L/∂(Σ w rgb) and, x being Σ w rgb + T·background, ∂L/∂T = Σ_c background_c ∂L/∂x_c.
 // Under an exposure the loss sees x' = M x + b: with v = ∂L/∂x', ∂L/∂x = Mᵀ v, ∂L/∂M = Σ v xᵀ, ∂L/∂b = Σ v.
 
@@ -81,7 +82,7 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
     }
     var v = vec3(0.0);
     if (inside && want.w >= 0.0) {
-        v = now.loss.x * sign(x - y) + now.loss.y * similar;
+        v = now.loss.x * weight_of(here, plane) * sign(x - y) + now.loss.y * similar;
     }
     var pull = v;
     if (exposed) {

@@ -3,13 +3,14 @@
 // x is the render over the background, under the photo's exposure where it has one, y the target over the same; where the target is held back, y = x. With the
 // filtered maps μx, μy, q = x² + y², r = x·y (Wang et al. 2004; only σx² + σy² enters):
 //   SSIM = (2 μx μy + C1)(2 (r − μx μy) + C2) / ((μx² + μy² + C1)(q − μx² − μy² + C2)), zero outside the picture.
-// Out: ∂SSIM/∂μx, ∂SSIM/∂q, ∂SSIM/∂r at every pixel, nine planes; Σ|x − y| and Σ(1 − SSIM) of every tile.
+// Out: ∂SSIM/∂μx, ∂SSIM/∂q, ∂SSIM/∂r at every pixel, nine planes; Σ|x − y| and Σ(1 − SSIM) of every tile; all times the
+// pixel's weight.
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> now: Step;
 // Σ w rgb over black, alpha.
 @group(0) @binding(2) var<storage, read> picture: array<vec4<f32>>;
-// Colour times alpha; alpha, or −1 − alpha where held back.
+// Colour times alpha; alpha, or −1 − alpha where held back. Then the pixels' weights, where they have any: weights.wgsl.
 @group(0) @binding(3) var<storage, read> wanted: array<vec4<f32>>;
 @group(0) @binding(4) var<storage, read_write> partials: array<f32>;
 @group(0) @binding(5) var<storage, read_write> sums: array<vec2<f32>>;
@@ -85,11 +86,12 @@ fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index
             let i = pixel.y * view.size.x + pixel.x;
             let i1 = inverse * b2;
             let i2 = inverse * b1;
-            partials[channel * plane + i] = 2.0 * m.y * (a2 - a1) * inverse - 2.0 * m.x * ssim * (i1 - i2);
-            partials[(3u + channel) * plane + i] = -ssim * i2;
-            partials[(6u + channel) * plane + i] = 2.0 * a1 * inverse;
+            let weight = weight_of(i, plane);
+            partials[channel * plane + i] = weight * (2.0 * m.y * (a2 - a1) * inverse - 2.0 * m.x * ssim * (i1 - i2));
+            partials[(3u + channel) * plane + i] = weight * (-ssim * i2);
+            partials[(6u + channel) * plane + i] = weight * (2.0 * a1 * inverse);
             let centre = (mine.y + REACH) * WIDE + mine.x + REACH;
-            total += vec2(abs(xs[centre] - ys[centre]), 1.0 - ssim);
+            total += weight * vec2(abs(xs[centre] - ys[centre]), 1.0 - ssim);
         }
         workgroupBarrier();
     }

@@ -13,7 +13,7 @@ struct Step {
     loss: vec4<f32>,
     // Seed of the background's noise (low, high), number of the target, degree of harmonics.
     words: vec4<u32>,
-    // Seed of MCMC's noise; 1 where the target is a picture of normals.
+    // Seed of MCMC's noise; 1 where the target is a picture of normals; 1 where its pixels have weights.
     more_words: vec4<u32>,
     // Of the photo's exposure: step size (0: it has none), weight of its distance from none; how far before the camera the point
     // lies about which its pose is turned.

@@ -19,7 +19,7 @@ use crate::audit::{Marking, inband};
 use crate::geo::Placement;
 use crate::mesh::{self, Details, Level, Model, provenance};
 use crate::models::scene::Subject;
-use crate::pipeline::{Fitted, Reconstruction};
+use crate::pipeline::{ExpectedError, Fitted, Reconstruction};
 use crate::preview::{self, Tile};
 use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, symmetry, views};
@@ -279,8 +279,26 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: &Marking) -> R
         last.push(tile(draw(level, &cameras[8]), &caption));
     }
     let known = known_row(&r.model, &cameras[..6], symmetry::assumed(&r.symmetry));
-    let sheet = preview::sheet(&[what, six, turned.collect(), known, last], &marking.banner());
-    marked_png(&sheet.into(), marking)
+    let expected = r.expected_error.as_ref().map(|e| expected_row(finest, e, &cameras[..6]));
+    let rows: Vec<Vec<Tile>> = [what, six, turned.collect(), known].into_iter().chain(expected).chain([last]).collect();
+    marked_png(&preview::sheet(&rows, &marking.banner()).into(), marking)
+}
+
+/// The model in the colours of how far the network expected its colours to be off; captions say what they mean.
+fn expected_row(finest: &Level, expected: &ExpectedError, cameras: &[Camera]) -> Vec<Tile> {
+    let shown = preview::error_colours(&expected.texture);
+    let most = preview::LARGEST_ERROR;
+    let legend = [
+        "expected error",
+        "dark: 0 of 255",
+        &format!("yellow: {most}"),
+        &format!("mean: {:.0}", 255.0 * expected.mean),
+    ];
+    let draw = |(i, camera): (usize, &Camera)| {
+        let image = mesh::raster(&finest.mesh, Some(&shown), camera, [255, 255, 255], 2);
+        tile(image, legend.get(i).copied().unwrap_or_default())
+    };
+    cameras.iter().enumerate().map(draw).collect()
 }
 
 /// The model in the colours of where its texture comes from; the first captions say which is which.
@@ -302,6 +320,14 @@ pub const PROVENANCE: &str = "texture_provenance.png";
 /// shares.
 pub fn provenance_png(model: &Model, marking: &Marking) -> Result<Vec<u8>> {
     marked_png(&model.provenance.clone().into(), marking)
+}
+
+/// The file beside a model that says how far its network expected colours to be off.
+pub const EXPECTED_ERROR: &str = "texture_expected_error.png";
+
+/// Expected errors by the finest level's texture coordinates, sRGB 0..1 in eight bits.
+pub fn expected_error_png(expected: &ExpectedError, marking: &Marking) -> Result<Vec<u8>> {
+    marked_png(&expected.texture.clone().into(), marking)
 }
 
 /// The same of a photo that no mesh was made of: the Gaussians turned.

@@ -2,6 +2,7 @@
 //!
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
+pub mod confidence;
 pub mod scene;
 pub mod settled;
 pub mod several;
@@ -9,7 +10,9 @@ pub mod unposed;
 
 use std::time::{Duration, Instant};
 
-use crate::mesh::{self, Model};
+use image::GrayImage;
+
+use crate::mesh::{self, Level, Model};
 use crate::models::scene::Subject;
 use crate::models::splat_prior::{self, OneView};
 use crate::models::{self, Engine, prior};
@@ -80,11 +83,22 @@ pub struct Reconstruction {
     /// Of the short one after it, on pictures of the model, where there was one.
     pub settled: Option<Report>,
     pub model: Model,
+    /// Where the network says it.
+    pub expected_error: Option<ExpectedError>,
     pub timings: Vec<Timing>,
     /// What took the built-in networks' place.
     pub sources: sources::Outcome,
     /// Where there was more than one photo.
     pub several: Option<several::Several>,
+}
+
+/// How far the network expected the colours of its own Gaussians to be off, sRGB 0..1; not how far the model's are, which
+/// has the photo's pixels where the photo shows it.
+pub struct ExpectedError {
+    /// By the finest level's texture coordinates.
+    pub texture: GrayImage,
+    /// Over what the six views show.
+    pub mean: f32,
 }
 
 /// What stages 2 to 4 make of one photo, in the unit frame.
@@ -96,6 +110,8 @@ pub struct Fitted {
     pub six: Vec<(Camera, Frame)>,
     pub gaussians: Gaussians,
     pub report: Report,
+    /// The mean colour error, sRGB 0..1, that the network expected of what the six views show; where it says so.
+    pub expected_error: Option<f32>,
     /// What took the built-in networks' place.
     pub sources: sources::Outcome,
     /// One a target: the photo's, then those of the mirrored photos.
@@ -160,6 +176,13 @@ pub fn finish(
     // Of several photos others may show what one cuts off.
     let cut_off_below = painting.is_empty() && fitted.subject.cut_off_below();
     let model = meshed(gaussians, &photos, cut_off_below, settings, progress)?;
+    let expected_error = match (&fitted.prior.expected_errors, fitted.expected_error) {
+        (Some(errors), Some(mean)) => {
+            let texture = expected_texture(&fitted.prior.gaussians, errors, &model.levels[0], progress)?;
+            Some(ExpectedError { texture, mean })
+        }
+        _ => None,
+    };
     fitted.clock.lap("mesh and texture");
     let mut settled = None;
     let options = splat::Options { seed: settings.seed, ..settled::options(fitted.report.iterations) };
@@ -179,6 +202,7 @@ pub fn finish(
         report: fitted.report,
         settled,
         model,
+        expected_error,
         timings: fitted.clock.timings,
         prior: fitted.prior,
         sources: fitted.sources,
@@ -208,6 +232,17 @@ fn meshed(
         ..mesh::Options::sized(settings.triangles, settings.texture)
     };
     mesh::build(&render, photos, &options, progress)
+}
+
+/// Expected errors of Gaussians on the model.
+fn expected_texture(g: &Gaussians, errors: &[f32], finest: &Level, progress: &dyn Progress) -> Result<GrayImage> {
+    progress.begin("expected error", 0);
+    let drawers = splat::render::Drawers::new(&confidence::as_greys(g, errors));
+    let render = |camera: &Camera| {
+        let frame = drawers.render(camera, [0.0; 3]);
+        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
+    };
+    mesh::expected_error::texture(finest, &render, progress)
 }
 
 /// Stages 2 to 4: Gaussians, no mesh.
@@ -257,9 +292,10 @@ pub fn fit(
     // Views drawn by others show the far side themselves, and stand in another frame than the prior.
     let wanted = if sources.views_are_the_priors() { settings.symmetry } else { Use::Off };
     let found = symmetry::find(&one_view.gaussians, &seen, wanted);
-    let Completed { gaussians, photos: mirrored } =
+    let Completed { gaussians, origins, photos: mirrored } =
         symmetry::complete(&one_view.gaussians, &seen, &symmetry::used(&found));
     one_view.gaussians = gaussians;
+    one_view.expected_errors = one_view.expected_errors.map(|errors| confidence::carried(&errors, &origins));
     clock.lap("symmetry");
     progress.check()?;
 
@@ -278,7 +314,11 @@ pub fn fit(
     };
     clock.lap("six views");
 
-    let views = Shot { six: &six, normals: &normals, between: &between };
+    // Views drawn by others come without.
+    let cameras: Vec<Camera> = six.iter().map(|(camera, _)| *camera).collect();
+    let errors = one_view.expected_errors.as_ref();
+    let expected = errors.map(|errors| confidence::drawn(&one_view.gaussians, errors, &cameras));
+    let views = Shot { six: &six, normals: &normals, between: &between, expected: expected.as_deref() };
     let trained = optimise(fitter, &one_view, &mirrored, &views, settings, progress)?;
     clock.lap("optimisation");
 
@@ -288,6 +328,7 @@ pub fn fit(
         six,
         gaussians: trained.gaussians,
         report: trained.report,
+        expected_error: expected.as_deref().map(confidence::mean),
         sources: outcome,
         cameras: trained.cameras,
         mirrored,
@@ -304,6 +345,8 @@ struct Shot<'a> {
     /// Of the six, or none.
     normals: &'a [Vec<[f32; 3]>],
     between: &'a [(Camera, Frame)],
+    /// Of the six, where the network says it.
+    expected: Option<&'a [confidence::Expected]>,
 }
 
 /// Targets: the photo (heaviest, pose refined, some pixels held back), the photo mirrored, the six views, their normals
@@ -325,6 +368,7 @@ fn optimise(
         refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some(m.seen_directly.clone()),
+        confidence: None,
         shown: Shown::Color,
         name: if i == 0 { MIRRORED.into() } else { format!("{MIRRORED} {}", i + 1) },
     }));
@@ -336,10 +380,18 @@ fn optimise(
         refine_pose: None,
         fit_exposure: false,
         held_back: None,
+        confidence: None,
         shown: Shown::Color,
         name,
     };
-    targets.extend(views.six.iter().enumerate().map(|(i, v)| view(format!("{VIEW} {}", i + 1), v, 0.3)));
+    let mut weights = views.expected.map(confidence::weights).unwrap_or_default().into_iter();
+    targets.extend(
+        views
+            .six
+            .iter()
+            .enumerate()
+            .map(|(i, v)| Target { confidence: weights.next(), ..view(format!("{VIEW} {}", i + 1), v, 0.3) }),
+    );
     targets.extend(views.six.iter().zip(views.normals).enumerate().map(|(i, (v, normals))| Target {
         color: normals.clone(),
         shown: Shown::Normals,
@@ -359,6 +411,7 @@ fn photo(prior: &OneView, camera: Camera, seed: u64) -> Target {
         refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some(held_back(prior.mask.width, seed)),
+        confidence: None,
         shown: Shown::Color,
         name: PHOTO.into(),
     }

@@ -1,7 +1,7 @@
 //! `preview.png`: what went in, what the networks saw, what came out, on one sheet.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts};
-use image::{Rgb, RgbImage, imageops};
+use image::{GrayImage, Rgb, RgbImage, imageops};
 
 use crate::photo::Plane;
 
@@ -77,6 +77,15 @@ pub fn ramp(t: f32) -> [f32; 3] {
     std::array::from_fn(|c| STOPS[i][c] * (1.0 - f) + STOPS[i + 1][c] * f)
 }
 
+/// The error that [`error_colours`] shows brightest, of 255.
+pub const LARGEST_ERROR: u8 = 64;
+
+/// Errors in eight bits: none is dark violet, [`LARGEST_ERROR`] and more bright yellow.
+pub fn error_colours(errors: &GrayImage) -> RgbImage {
+    let colour = |e: u8| ramp(f32::from(e) / f32::from(LARGEST_ERROR)).map(|c| c as u8);
+    RgbImage::from_fn(errors.width(), errors.height(), |x, y| Rgb(colour(errors.get_pixel(x, y).0[0])))
+}
+
 /// Near is bright yellow, far is dark blue; where the mask is 0, paper.
 pub fn depth_colours(depth: &Plane, mask: &Plane) -> RgbImage {
     RgbImage::from_fn(depth.width as u32, depth.height as u32, |x, y| {
@@ -128,6 +137,15 @@ fn text(sheet: &mut RgbImage, words: &str, left: u32, top: u32, scale: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn errors_go_from_dark_to_bright_and_no_further() {
+        let errors = GrayImage::from_fn(4, 1, |x, _| image::Luma([[0, 32, LARGEST_ERROR, 255][x as usize]]));
+        let shown = error_colours(&errors);
+        let light = |x: u32| shown.get_pixel(x, 0).0.iter().map(|c| u32::from(*c)).sum::<u32>();
+        assert_eq!(shown.get_pixel(0, 0).0, ramp(0.0).map(|c| c as u8));
+        assert!(light(0) < light(1) && light(1) < light(2) && light(2) == light(3));
+    }
 
     #[test]
     fn sheet_shows_the_banner_and_keeps_its_tiles() {

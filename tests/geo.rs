@@ -139,6 +139,27 @@ fn the_provenance_of_the_texture_lies_beside_the_model() {
     assert!((seen - most[1] as f64 / all as f64).abs() < 0.12, "{seen} by the record, {most:?} of {all}");
 }
 
+/// A network may say how far its colours are off; 0.7 as it first came did not.
+#[test]
+fn the_expected_error_lies_beside_the_model_where_the_network_says_it() {
+    use orb::models::{Engine, Rten, prior};
+    let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
+    let says = graph.outputs().iter().any(|p| p.name == "error");
+    let out = published().join("out");
+    let picture = out.join("texture_expected_error.png");
+    assert_eq!(picture.is_file(), says);
+    let shown = orb(&["audit", "show", "--json"]).arg(&out).output().unwrap();
+    let record: serde_json::Value = serde_json::from_slice(&shown.stdout).unwrap();
+    let mean = record["predicate"]["params"]["expected_colour_error"].as_str().map(|v| v.parse::<f64>().unwrap());
+    assert_eq!(mean.is_some(), says);
+    if let Some(mean) = mean {
+        let errors = image::open(picture).unwrap().into_luma8();
+        let on_model = errors.pixels().map(|p| f64::from(p.0[0])).sum::<f64>() / errors.pixels().len() as f64 / 255.0;
+        // Other sides and the texels between the charts count in the picture.
+        assert!(mean > 0.01 && mean < 0.5 && (on_model / mean - 1.0).abs() < 0.5, "{mean}, {on_model} on the model");
+    }
+}
+
 #[test]
 fn one_changed_byte_anywhere_is_found_and_named() {
     let copy = tempfile::tempdir().unwrap();

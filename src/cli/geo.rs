@@ -394,6 +394,10 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     if formats.iter().any(|f| f.has_levels(args.write.tiles)) {
         let picture = export::provenance_png(&done.model, &product)?;
         run.publication.add(export::PROVENANCE, &picture, "image/png", "provenance")?;
+        if let Some(expected) = &done.expected_error {
+            let picture = export::expected_error_png(expected, &product)?;
+            run.publication.add(export::EXPECTED_ERROR, &picture, "image/png", "expected error")?;
+        }
     }
     let preview = export::preview_png(&photo.pixels, &done, &product)?;
     run.publication.add("preview.png", &preview, "image/png", "preview")?;

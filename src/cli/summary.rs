@@ -69,6 +69,13 @@ pub fn text(s: &Summary) -> String {
         _ => format!("{:.0}% from the photo mirrored at two planes{assumed}, ", finest.mirrored * 100.0),
     };
     line("texture", format!("{:.0}% from the photo, {mirrored}the rest invented", finest.seen * 100.0));
+    if let Some(expected) = &s.done.expected_error {
+        let levels = 255.0 * expected.mean;
+        line(
+            "expected",
+            format!("colours of the network's own model off by {levels:.0} of 255 in the mean, from all sides"),
+        );
+    }
     let steps = match report.iterations {
         run if run < s.steps_planned as usize => format!("{run} of {} steps, for lack of time", s.steps_planned),
         run => format!("{run} steps"),
@@ -280,6 +287,7 @@ pub fn json(s: &Summary) -> Result<String> {
         "texture": {"seen": finest.seen, "mirrored": finest.mirrored, "invented": 1.0 - finest.seen - finest.mirrored},
         "symmetry": {"applied": planes > 0, "planes": planes, "basis": basis},
         "mask": {"expected_iou": s.done.subject.expected_iou},
+        "expected_colour_error": s.done.expected_error.as_ref().map(|e| e.mean),
         "psnr_db": psnr,
         "cdb_model": s.store_model,
         "marking": s.marking.banner(),

@@ -12,6 +12,7 @@ pub mod color;
 pub mod depth_map;
 pub mod detail;
 pub mod distance;
+pub mod expected_error;
 pub mod extract;
 pub mod fill;
 pub mod flatten;

@@ -27,6 +27,8 @@ pub const FOV: f32 = std::f32::consts::PI / 6.0;
 /// [`DISTANCE`]. 0.7 is the mean of 0.6 and of weights that learned by pictures true to size; half is the better of half and
 /// whole on the five of `samples/truth`.
 const BLUR: f32 = 0.5 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / SIZE as f32;
+/// Output with the colour error to be expected of each Gaussian.
+const ERROR: &str = "error";
 /// The crop is handed on at no more than this.
 const LARGEST_CROP: usize = 512;
 
@@ -35,6 +37,9 @@ const LARGEST_CROP: usize = 512;
 pub struct OneView {
     /// Subject unit frame.
     pub gaussians: Gaussians,
+    /// One a Gaussian: the colour error to be expected where a view from anywhere shows it, sRGB 0..1; the mean absolute
+    /// difference of the channels. `None` where nobody says.
+    pub expected_errors: Option<Vec<f32>>,
     /// Of the camera above the horizon, radians; from both networks.
     pub elevation: f32,
     /// The camera that took `colour`: where the network sees it, focal length and principal point fitted to the mask.
@@ -54,20 +59,19 @@ pub struct OneView {
 /// # Errors
 /// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
 pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Result<OneView> {
-    check_contract(
-        "splat network",
-        graph,
-        &[Port::new("rgba", &[1, 4, SIZE, SIZE])],
-        &[
-            Port::new("position", &[1, COUNT, 3]),
-            Port::new("scale", &[1, COUNT, 3]),
-            Port::new("rotation", &[1, COUNT, 4]),
-            Port::any("opacity"),
-            Port::new("color", &[1, COUNT, 3]),
-            Port::new("elevation", &[1, 2]),
-            Port::new("camera", &[1, 4]),
-        ],
-    )?;
+    let mut wanted = vec![
+        Port::new("position", &[1, COUNT, 3]),
+        Port::new("scale", &[1, COUNT, 3]),
+        Port::new("rotation", &[1, COUNT, 4]),
+        Port::any("opacity"),
+        Port::new("color", &[1, COUNT, 3]),
+        Port::new("elevation", &[1, 2]),
+        Port::new("camera", &[1, 4]),
+    ];
+    // Networks up to 0.7 do not say how wrong they are.
+    let says_error = graph.outputs().iter().any(|p| p.name == ERROR);
+    wanted.extend(says_error.then(|| Port::new(ERROR, &[1, COUNT])));
+    check_contract("splat network", graph, &[Port::new("rgba", &[1, 4, SIZE, SIZE])], &wanted)?;
     let crop = crop_around(subject);
     let rgba = network_input(photo, subject, crop)?;
     let mut outputs = graph.run(&[("rgba", &rgba)])?;
@@ -77,6 +81,10 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
         rotation: take(&mut outputs, "rotation", 4 * COUNT)?,
         opacity: take(&mut outputs, "opacity", COUNT)?,
         color: take(&mut outputs, "color", 3 * COUNT)?,
+    };
+    let errors = match says_error {
+        true => Some(canonical.of_drawn(&take(&mut outputs, ERROR, COUNT)?)),
+        false => None,
     };
     let own = take(&mut outputs, "elevation", 2)?;
     let own = Elevation { mean: own[0], spread: own[1] };
@@ -94,7 +102,7 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     let mask = crop_mask(subject, crop, size);
     let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &crop_camera(elevation, &stands, size as u32), &mask);
     let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
-    Ok(OneView { gaussians, elevation, camera, silhouette_iou, crop, colour, mask })
+    Ok(OneView { gaussians, expected_errors: errors, elevation, camera, silhouette_iou, crop, colour, mask })
 }
 
 /// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.
@@ -160,14 +168,21 @@ struct Canonical {
 }
 
 impl Canonical {
+    /// Index and opacity of those that are more than all but clear.
+    fn drawn(&self) -> impl Iterator<Item = (usize, f32)> {
+        self.opacity.iter().copied().enumerate().filter(|(_, opacity)| *opacity >= 1.0 / 255.0)
+    }
+
+    /// One number a Gaussian, 0..1, of those that [`Self::to_subject_frame`] keeps.
+    fn of_drawn(&self, values: &[f32]) -> Vec<f32> {
+        self.drawn().map(|(i, _)| values[i].clamp(0.0, 1.0)).collect()
+    }
+
     /// Camera to subject: p = Rᵀ (p_camera − t), since p_camera = R p + t. What is all but clear is left out.
     fn to_subject_frame(&self, elevation: f32) -> Gaussians {
         let mut g = Gaussians::default();
         let triple = |v: &[f32], i: usize| Vec3::from_slice(&v[3 * i..3 * i + 3]);
-        for (i, &opacity) in self.opacity.iter().enumerate() {
-            if opacity < 1.0 / 255.0 {
-                continue;
-            }
+        for (i, opacity) in self.drawn() {
             let opacity = opacity.min(0.999);
             g.positions.push(triple(&self.position, i));
             g.log_scales.push(triple(&self.scale, i).map(|s| s.hypot(BLUR).ln()));
@@ -287,6 +302,76 @@ mod tests {
         let crop = crop_around(&subject);
         assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
         assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
+    }
+
+    /// A flat square of Gaussians before the camera, the first half of them clear; the outputs that are named.
+    struct Flat(Vec<Port>);
+
+    impl Graph for Flat {
+        fn inputs(&self) -> Vec<Port> {
+            vec![Port::new("rgba", &[1, 4, SIZE, SIZE])]
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.0.clone()
+        }
+        fn run(&self, _: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            let at = |i: usize| [(i % SIZE) as f32 / 128.0 - 0.5, (i / SIZE % SIZE) as f32 / 128.0 - 0.5, DISTANCE];
+            let values = |name: &str| -> Vec<f32> {
+                match name {
+                    "position" => (0..COUNT).flat_map(at).collect(),
+                    "scale" => vec![0.01; 3 * COUNT],
+                    "rotation" => (0..COUNT).flat_map(|_| [1.0, 0.0, 0.0, 0.0]).collect(),
+                    "opacity" => (0..COUNT).map(|i| if i < COUNT / 2 { 0.001 } else { 0.9 }).collect(),
+                    "color" => vec![0.5; 3 * COUNT],
+                    "elevation" => vec![0.2, 0.05],
+                    "camera" => vec![0.0; 4],
+                    _ => (0..COUNT).map(|i| 1.5 * i as f32 / COUNT as f32).collect(),
+                }
+            };
+            self.0
+                .iter()
+                .map(|p| {
+                    let data = values(&p.name);
+                    Ok((p.name.clone(), Tensor::new(&[data.len()], data)?))
+                })
+                .collect()
+        }
+    }
+
+    #[test]
+    fn expected_errors_are_read_where_the_network_has_them() {
+        let subject = Subject {
+            mask: Plane::new(64, 64, 1.0),
+            depth: Plane::new(64, 64, 0.0),
+            bounds: [0, 0, 64, 64],
+            scale: (2.0, 2.0),
+            from_cutout: false,
+            expected_iou: None,
+            elevation: Elevation { mean: 0.2, spread: 0.05 },
+        };
+        let photo = RgbImage::new(128, 128);
+        let mut ports: Vec<Port> = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)]
+            .map(|(name, width)| Port::new(name, &[1, COUNT, width]))
+            .to_vec();
+        ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
+        let without = one_view(&photo, &subject, &Flat(ports.clone())).unwrap();
+        assert_eq!(without.expected_errors, None);
+
+        let with = |shape: &[usize]| Flat([ports.clone(), vec![Port::new(ERROR, shape)]].concat());
+        let view = one_view(&photo, &subject, &with(&[1, COUNT])).unwrap();
+        let errors = view.expected_errors.unwrap();
+        assert_eq!((errors.len(), view.gaussians.len()), (COUNT / 2, COUNT / 2));
+        // Those that are drawn, in their order, within 0..1.
+        assert_eq!(
+            [errors[0], errors[1], errors[COUNT / 2 - 1]],
+            [0.75, 1.5 * (COUNT / 2 + 1) as f32 / COUNT as f32, 1.0]
+        );
+        assert_eq!(view.gaussians, without.gaussians);
+        let refused = one_view(&photo, &subject, &with(&[1, COUNT, 3])).unwrap_err();
+        assert!(
+            refused.kind == crate::Kind::Environment && refused.to_string().contains("- output error"),
+            "{refused}"
+        );
     }
 
     #[test]

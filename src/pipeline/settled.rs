@@ -55,6 +55,7 @@ pub fn settle(
             refine_pose: None,
             fit_exposure: false,
             held_back: None,
+            confidence: None,
             shown: Shown::Color,
             name: format!("{MODEL} {}", i + 1),
         }
@@ -124,6 +125,7 @@ mod tests {
             refine_pose: None,
             fit_exposure: false,
             held_back: None,
+            confidence: None,
             shown: Shown::Color,
             name: PHOTO.into(),
         };

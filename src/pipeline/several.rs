@@ -149,6 +149,8 @@ pub fn fit(
         return Err(no_common_subject(format!("nothing of the {own} Gaussians of the network in all of their masks")));
     }
     one_view.gaussians = begun;
+    // Nobody says how far those from masks and points are off.
+    one_view.expected_errors = None;
     clock.lap("3D from photos");
     progress.check()?;
 
@@ -166,6 +168,7 @@ pub fn fit(
             refine_pose: (options.refine_poses && !held).then_some(0.0),
             fit_exposure: false,
             held_back: None,
+            confidence: None,
             shown: Shown::Color,
             name: format!("{}{}", if *held { HELD_OUT } else { TRAINED }, s.crop.name),
         })
@@ -178,6 +181,7 @@ pub fn fit(
         refine_pose: None,
         fit_exposure: false,
         held_back: None,
+        confidence: None,
         shown: Shown::Color,
         name: format!("{VIEW} {}", i + 1),
     }));
@@ -220,6 +224,7 @@ pub fn fit(
         six,
         gaussians: trained.gaussians,
         report: trained.report,
+        expected_error: None,
         sources: sources::Outcome::default(),
         cameras: trained.cameras,
         mirrored: Vec::new(),

@@ -257,6 +257,7 @@ mod tests {
             let seen = splat::render(&g, &truth, [0.0; 3]);
             let straight = |(c, a): (&[f32; 3], &f32)| c.map(|v| (v / a.max(1e-3)).clamp(0.0, 1.0));
             let view = OneView {
+                expected_errors: None,
                 gaussians: Gaussians::default(),
                 elevation: (elevation + 6.0f32).to_radians(),
                 camera: canonical_camera(0.3, 128),

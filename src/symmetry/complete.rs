@@ -30,10 +30,20 @@ impl MirroredPhoto {
     }
 }
 
+/// Where a Gaussian comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// Index of the one that it is, or is a mirror image of, among those that were completed.
+    pub of: usize,
+    pub mirrored: bool,
+}
+
 /// A subject with its unseen sides.
 #[derive(Clone, Debug)]
 pub struct Completed {
     pub gaussians: Gaussians,
+    /// One a Gaussian.
+    pub origins: Vec<Origin>,
     /// One for one plane, three for two.
     pub photos: Vec<MirroredPhoto>,
 }
@@ -43,25 +53,31 @@ pub struct Completed {
 /// Of the Gaussians the near half stays as it is, the far half where something saw it; elsewhere the near half takes its
 /// place, mirrored.
 pub fn complete(g: &Gaussians, seen: &Seen, planes: &[Plane]) -> Completed {
-    let mut all = Completed { gaussians: g.clone(), photos: Vec::new() };
+    let own = |of| Origin { of, mirrored: false };
+    let mut all = Completed { gaussians: g.clone(), origins: (0..g.len()).map(own).collect(), photos: Vec::new() };
     for plane in planes {
         let known: Vec<Seen> = std::iter::once(*seen).chain(all.photos.iter().map(MirroredPhoto::seen)).collect();
         let surfaces: Vec<Surface> = known.iter().map(|s| Surface::new(&all.gaussians, s)).collect();
         let mirrored: Vec<MirroredPhoto> =
             known.iter().enumerate().map(|(k, s)| mirrored_photo(s, plane, &surfaces, k)).collect();
-        all.gaussians = with_far_side(&all.gaussians, plane, &surfaces);
+        (all.gaussians, all.origins) = with_far_side(&all.gaussians, &all.origins, plane, &surfaces);
         all.photos.extend(mirrored);
     }
     all
 }
 
-fn with_far_side(g: &Gaussians, plane: &Plane, surfaces: &[Surface]) -> Gaussians {
-    let near = |i: usize| plane.distance(g.positions[i]) >= 0.0;
-    let mut out = g.filtered(|i| near(i) || seen_of(surfaces, g.positions[i]));
-    let half = g.filtered(near);
-    let mirrored = plane.gaussians(&half);
-    out.extend(&mirrored.filtered(|i| !seen_of(surfaces, mirrored.positions[i])));
-    out
+fn with_far_side(g: &Gaussians, origins: &[Origin], plane: &Plane, surfaces: &[Surface]) -> (Gaussians, Vec<Origin>) {
+    let near = |i: &usize| plane.distance(g.positions[*i]) >= 0.0;
+    let kept: Vec<bool> = (0..g.len()).map(|i| near(&i) || seen_of(surfaces, g.positions[i])).collect();
+    let half: Vec<usize> = (0..g.len()).filter(near).collect();
+    let mirrored = plane.gaussians(&g.filtered(|i| near(&i)));
+    let unseen: Vec<bool> = mirrored.positions.iter().map(|p| !seen_of(surfaces, *p)).collect();
+    let mut out = g.filtered(|i| kept[i]);
+    out.extend(&mirrored.filtered(|i| unseen[i]));
+    let own = (0..g.len()).filter(|i| kept[*i]).map(|i| origins[i]);
+    let images = half.iter().zip(&unseen).filter(|(_, unseen)| **unseen);
+    let images = images.map(|(i, _)| Origin { mirrored: true, ..origins[*i] });
+    (out, own.chain(images).collect())
 }
 
 /// Whether one of the pictures saw a point, or past it.

@@ -15,7 +15,7 @@ use glam::{Mat3, Vec3};
 
 use crate::splat::{Camera, Gaussians};
 
-pub use complete::{Completed, MirroredPhoto, complete};
+pub use complete::{Completed, MirroredPhoto, Origin, complete};
 pub use evidence::Seen;
 pub use search::{Basis, Fit, Found, assumed, find, used};
 

@@ -217,6 +217,18 @@ fn what_is_alike_front_and_back_is_known_from_all_sides() {
     let invented = Case::new(hut(true)).g;
     let completed = complete(&invented, &case.seen(), &used(&found));
     assert_eq!(completed.photos.len(), 3);
+    let of = |g: &Gaussians, i: usize| (g.positions[i], g.sh[i][0], g.logit_opacities[i]);
+    let (own, images): (Vec<_>, Vec<_>) = completed.origins.iter().enumerate().partition(|(_, o)| !o.mirrored);
+    assert_eq!(own.len() + images.len(), completed.gaussians.len());
+    assert!(own.iter().all(|(i, o)| of(&completed.gaussians, *i) == of(&invented, o.of)));
+    for (i, origin) in &images {
+        let (at, color, opacity) = of(&completed.gaussians, *i);
+        let (from, its_color, its_opacity) = of(&invented, origin.of);
+        let planes = used(&found);
+        let places = [planes[0].reflect(from), planes[1].reflect(from), planes[0].reflect(planes[1].reflect(from))];
+        assert!(places.iter().any(|p| p.distance(at) < 1e-4) && (color, opacity) == (its_color, its_opacity));
+    }
+    assert!(images.len() > 100, "{}", images.len());
     let error = |g: &Gaussians, camera: &Camera| {
         let (shown, truth) = (render(g, camera, GREY), render(&case.g, camera, GREY));
         let pairs = shown.color.iter().zip(&truth.color);

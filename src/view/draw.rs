@@ -104,7 +104,9 @@ impl<'a> Draw<'a> {
         let background = if query.dark { [0.09; 3] } else { [0.97; 3] };
         let layer = match (&mut self.splats, level(self.subject, query)) {
             (_, Some(level)) => of_mesh(self.subject, level, query, camera, background),
-            (Some(splats), None) if matches!(query.show, Show::Colour | Show::Provenance) => splats.colours(camera)?,
+            (Some(splats), None) if matches!(query.show, Show::Colour | Show::Provenance | Show::Error) => {
+                splats.colours(camera)?
+            }
             (Some(splats), None) => of_splats(self.subject, splats, query.show, camera)?,
             (None, None) => vec![[0; 4]; width * height],
         };
@@ -164,7 +166,9 @@ pub fn jpeg(pixels: &[u8], width: u32, height: u32, quality: u8) -> Result<Vec<u
 
 /// The level that a query asks for; the finest where there are no Gaussians to show instead.
 fn level<'a>(subject: &'a Subject, query: &Query) -> Option<&'a Level> {
-    if let (Show::Provenance, Some(level)) = (query.show, &subject.provenance) {
+    if let (Show::Provenance, Some(level), _) | (Show::Error, _, Some(level)) =
+        (query.show, &subject.provenance, &subject.expected_error)
+    {
         return Some(level);
     }
     let number = query.level;
@@ -203,8 +207,8 @@ fn of_mesh(subject: &Subject, level: &Level, query: &Query, camera: &Camera, bac
     let drawn = |i: usize| seen.triangle[i] != u32::MAX;
     let alpha: Vec<f32> = (0..seen.depth.len()).map(|i| if drawn(i) { 1.0 } else { 0.0 }).collect();
     let color: Vec<[f32; 3]> = match query.show {
-        // A level that provenance is shown of has it for a texture.
-        Show::Colour | Show::Provenance => {
+        // A level that provenance or expected error is shown of has it for a texture.
+        Show::Colour | Show::Provenance | Show::Error => {
             let background = background.map(|c| (c * 255.0) as u8);
             let image = raster(mesh, Some(&level.texture), camera, background, if query.rest { 2 } else { 1 });
             let pixels = image.pixels().zip(&alpha);

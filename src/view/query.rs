@@ -23,6 +23,8 @@ pub enum Show {
     Normals,
     /// Where the finest level's texture comes from.
     Provenance,
+    /// How far the network expected the finest level's colours to be off.
+    Error,
 }
 
 /// One picture. Angles in degrees, lengths in the scene's units; azimuth as in [`views::eye`].

@@ -19,7 +19,8 @@ use super::query::{FIELD, Query, Show};
 use super::subject::Subject;
 use super::worker::{Refusal, Worker};
 use super::{draw, ground};
-use crate::export::PROVENANCE;
+use crate::export::{EXPECTED_ERROR, PROVENANCE};
+use crate::preview::LARGEST_ERROR;
 use crate::web::guard::{MOST_ADDRESS, SCRIPT, STYLE, escaped, harden, is_own_name, part, refuse};
 use crate::{Error, Result};
 
@@ -115,7 +116,7 @@ async fn scene(State(site): State<Arc<Site>>) -> Response {
         "name": subject.name, "banner": subject.banner(), "metric": subject.metric,
         "scale": subject.scale_known, "centre": subject.centre.to_array(), "radius": subject.radius, "field": FIELD,
         "gaussians": subject.gaussians.as_ref().map_or(0, |g| g.len()), "levels": levels.collect::<Vec<_>>(),
-        "provenance": subject.provenance.is_some(), "assumed": subject.assumed, "photo": subject.photo.is_some(), "photo_elevation": subject.photo_elevation,
+        "provenance": subject.provenance.is_some(), "error": subject.expected_error.is_some(), "largest_error": LARGEST_ERROR, "assumed": subject.assumed, "photo": subject.photo.is_some(), "photo_elevation": subject.photo_elevation,
         "place": place, "grid_step": ground::step(subject.radius), "notes": subject.notes,
     });
     ([(header::CONTENT_TYPE, "application/json")], object.to_string()).into_response()
@@ -154,6 +155,9 @@ fn understood(site: &Site, asked: AskedFor) -> Result<(Query, crate::splat::Came
     let Asked(query) = asked.map_err(|e| e.body_text())?;
     if query.show == Show::Provenance && site.subject.provenance.is_none() {
         return Err(format!("show: expected a folder with a model and its {PROVENANCE}, found none"));
+    }
+    if query.show == Show::Error && site.subject.expected_error.is_none() {
+        return Err(format!("show: expected a folder with a model and its {EXPECTED_ERROR}, found none"));
     }
     let camera = query.camera(site.subject.centre, site.subject.radius)?;
     Ok((query, camera))
@@ -201,6 +205,7 @@ mod tests {
             }),
             levels: Vec::new(),
             provenance: None,
+            expected_error: None,
             assumed: false,
             place: Some(place),
             metric: true,
@@ -250,6 +255,7 @@ mod tests {
             ("PUT", &own, "localhost", "x", 413),
             ("GET", &own.replace("scene.json", "frame?show=x-ray"), "localhost", "", 400),
             ("GET", &own.replace("scene.json", "frame?show=provenance"), "localhost", "", 400),
+            ("GET", &own.replace("scene.json", "frame?show=error"), "localhost", "", 400),
             ("GET", &own.replace("scene.json", "frame?w=-1"), "localhost", "", 400),
             ("GET", &own.replace("scene.json", "frame?el=91"), "localhost", "", 400),
             ("GET", &format!("{own}?{}", "x".repeat(MOST_ADDRESS)), "localhost", "", 414),

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use glam::Vec3;
-use image::RgbImage;
+use image::{DynamicImage, RgbImage};
 
 use super::{draw, levels};
 use crate::audit::marking::Level as Classification;
@@ -42,6 +42,8 @@ pub struct Subject {
     pub levels: Vec<Level>,
     /// The finest level in the colours of where its texture comes from.
     pub provenance: Option<Level>,
+    /// The finest level in the colours of how far the network expected its colours to be off.
+    pub expected_error: Option<Level>,
     /// A plane of symmetry that it was mirrored at was assumed, by the record.
     pub assumed: bool,
     pub place: Option<Placement>,
@@ -108,18 +110,27 @@ impl Subject {
                 Err(e) => subject.notes.push(format!("Levels of detail are not shown: {e}.")),
             }
         }
-        let provenance = path.join(export::PROVENANCE);
-        if let (true, Some(finest)) = (provenance.is_file(), subject.levels.first()) {
-            let bytes = read(&provenance)?;
-            markings.extend(inband::marking(export::PROVENANCE, &bytes)?);
-            match image::load_from_memory(&bytes) {
-                Ok(shares) => {
-                    let texture = mesh::provenance::shown(&shares.into_rgb8(), &finest.texture);
-                    subject.provenance = Some(Level { mesh: finest.mesh.clone(), texture });
+        let finest = subject.levels.first().cloned();
+        let mut of_finest =
+            |name: &str, what: &str, shown: &dyn Fn(DynamicImage, &Level) -> RgbImage| -> Result<Option<Level>> {
+                let file = path.join(name);
+                let (true, Some(finest)) = (file.is_file(), &finest) else { return Ok(None) };
+                let bytes = read(&file)?;
+                markings.extend(inband::marking(name, &bytes)?);
+                match image::load_from_memory(&bytes) {
+                    Ok(picture) => Ok(Some(Level { mesh: finest.mesh.clone(), texture: shown(picture, finest) })),
+                    Err(e) => {
+                        subject.notes.push(format!("{what} is not shown: {e}."));
+                        Ok(None)
+                    }
                 }
-                Err(e) => subject.notes.push(format!("Where the texture comes from is not shown: {e}.")),
-            }
-        }
+            };
+        let sources =
+            |shares: DynamicImage, finest: &Level| mesh::provenance::shown(&shares.into_rgb8(), &finest.texture);
+        let errors = |errors: DynamicImage, _: &Level| preview::error_colours(&errors.into_luma8());
+        let provenance = of_finest(export::PROVENANCE, "Where the texture comes from", &sources)?;
+        let expected_error = of_finest(export::EXPECTED_ERROR, "The expected error", &errors)?;
+        (subject.provenance, subject.expected_error) = (provenance, expected_error);
         subject.marking = (!markings.is_empty()).then(|| Marking::join_all(&markings));
         Ok(subject)
     }
@@ -151,6 +162,7 @@ impl Subject {
             gaussians,
             levels,
             provenance: None,
+            expected_error: None,
             assumed: false,
             place,
             metric,

@@ -44,6 +44,8 @@ pub fn settle(view: &mut OneView, views: &[View], seed: u64, progress: &dyn Prog
     view.camera = c.camera;
     view.elevation = c.elevation;
     view.silhouette_iou = c.filled;
+    // What the network expected of its own Gaussians says nothing of these.
+    view.expected_errors = None;
     view.gaussians = fitted(carved.surface(views), view, views, seed, progress)?;
     Ok(Found { elevation: c.elevation, filled: c.filled, kept: c.kept })
 }
@@ -59,6 +61,7 @@ fn fitted(start: Gaussians, photo: &OneView, views: &[View], seed: u64, progress
         refine_pose: None,
         fit_exposure: false,
         held_back: None,
+        confidence: None,
         shown: Shown::Color,
         name,
     };
@@ -127,6 +130,7 @@ mod tests {
         let camera = canonical_camera(degrees.to_radians(), 160);
         let seen = splat::render(g, &camera, [0.0; 3]);
         OneView {
+            expected_errors: None,
             // The prior guessed another elevation, and so another body.
             gaussians: g.transformed(Mat3::from_rotation_x((degrees - guess).to_radians()), 0.9, Vec3::ZERO),
             elevation: guess.to_radians(),

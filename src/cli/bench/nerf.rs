@@ -29,6 +29,7 @@ pub fn targets(list: &Path) -> Result<(Vec<Target>, bool)> {
             refine_pose: None,
             fit_exposure: false,
             held_back: None,
+            confidence: None,
             shown: Shown::Color,
             name: view.name,
         });

@@ -261,6 +261,7 @@ fn drawn(args: &Train) -> Result<(Vec<Target>, Gaussians, Options)> {
                 refine_pose: None,
                 fit_exposure: false,
                 held_back: None,
+                confidence: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),
             }

@@ -110,6 +110,7 @@ pub fn params(
         add(&format!("{which}_colour_difference"), share(fit.color));
         add(&format!("{which}_silhouette_iou"), share(fit.silhouette));
     }
+    add("expected_colour_error", done.expected_error.as_ref().and_then(|e| share(e.mean)));
     add("mask_expected_iou", done.subject.expected_iou.and_then(share));
     add("mask_score", sources.mask_score.map(|(score, _)| text(format!("{score:.4}"))));
     add("mask_refined", sources.mask_score.map(|(_, refined)| Param::Bool(refined)));

@@ -207,6 +207,7 @@ mod tests {
         let camera = canonical_camera(0.0, 128);
         let mask = crate::models::align::silhouette(&gaussians, &camera);
         OneView {
+            expected_errors: None,
             gaussians,
             elevation: 0.0,
             camera,

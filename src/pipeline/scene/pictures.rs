@@ -138,6 +138,7 @@ fn one(
         refine_pose: None,
         fit_exposure: false,
         held_back,
+        confidence: None,
         shown: Shown::Color,
         name: posed.name.clone(),
     };

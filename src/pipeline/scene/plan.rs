@@ -205,6 +205,7 @@ fn ground(side: u32, count: usize) -> (Gaussians, Target) {
         refine_pose: None,
         fit_exposure: false,
         held_back: None,
+        confidence: None,
         shown: Shown::Color,
         name: "a probe".into(),
     };

@@ -274,6 +274,7 @@ mod tests {
                     refine_pose: None,
                     fit_exposure: false,
                     held_back: None,
+                    confidence: None,
                     shown: Shown::Color,
                     name: String::new(),
                 }

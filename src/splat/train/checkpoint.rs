@@ -150,6 +150,7 @@ impl Run {
             pictures.update(flags.map(u8::from));
             pictures.update(t.refine_pose.unwrap_or_default().to_le_bytes());
             t.held_back.iter().flatten().for_each(|h| pictures.update([u8::from(*h)]));
+            t.confidence.iter().for_each(|c| pictures.update(cast_slice(c)));
         }
         let mut gaussians = Sha256::new();
         gaussians.update(cast_slice(&start.gaussians.core));
@@ -324,6 +325,7 @@ mod tests {
             refine_pose: Some(0.0),
             fit_exposure: true,
             held_back: Some(vec![false; 48]),
+            confidence: None,
             shown: Shown::Color,
             name: "picture".into(),
         };

@@ -37,7 +37,8 @@ pub fn advance(
     let wanted: Vec<Wanted> = targets
         .iter()
         .map(|t| {
-            Wanted::new(t.camera.width as usize, t.camera.height as usize, &t.color, &t.alpha, t.held_back.as_deref())
+            let (width, height) = (t.camera.width as usize, t.camera.height as usize);
+            Wanted::new(width, height, &t.color, &t.alpha, t.held_back.as_deref()).weighed(t.confidence.as_deref())
         })
         .collect();
     let mut losses: Vec<((usize, usize), Loss)> = Vec::new();

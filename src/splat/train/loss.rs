@@ -1,4 +1,4 @@
-//! (1 − λ)·L1 + λ·(1 − SSIM), forward and backward in two passes over the picture.
+//! (1 − λ)·L1 + λ·(1 − SSIM), each pixel by its weight, forward and backward in two passes over the picture.
 //!
 //! SSIM (Wang et al. 2004): 11×11 Gaussian window, σ 1.5, zero outside the picture, C1 = 0.01², C2 = 0.03². Only
 //! σx² + σy² enters, so four filtered maps are enough: x, y, x² + y², x·y.
@@ -61,6 +61,8 @@ pub struct Wanted {
     tiles_x: usize,
     tiles_y: usize,
     lines: Vec<f32>,
+    /// How much each pixel counts, lines as wide; none: 1 everywhere.
+    weights: Option<Vec<f32>>,
     /// Tiles with any alpha.
     occupied: Vec<bool>,
 }
@@ -84,7 +86,25 @@ impl Wanted {
                 occupied[y / TILE * tiles_x + x / TILE] |= alpha[i] > 0.0;
             }
         }
-        Wanted { width, height, wide, tiles_x, tiles_y, lines, occupied }
+        Wanted { width, height, wide, tiles_x, tiles_y, lines, weights: None, occupied }
+    }
+
+    /// The same with how much each pixel counts in the loss, rows from the top.
+    pub fn weighed(mut self, weights: Option<&[f32]>) -> Self {
+        self.weights = weights.map(|weights| {
+            let mut lines = vec![0.0; self.wide * self.height];
+            for (line, row) in lines.chunks_exact_mut(self.wide).zip(weights.chunks_exact(self.width)) {
+                line[..self.width].copy_from_slice(row);
+            }
+            lines
+        });
+        self
+    }
+
+    /// The weights of row `y`.
+    #[inline(always)]
+    fn weights_of(&self, y: usize) -> Option<&[f32]> {
+        self.weights.as_ref().map(|w| &w[y * self.wide..(y + 1) * self.wide])
     }
 }
 
@@ -287,6 +307,7 @@ impl Kernel for Ssim<'_> {
                 break;
             }
             let top = (PAD_ROWS + y - REACH) * step;
+            let weights = self.wanted.weights_of(y);
             let (mut l1, mut lost) = (0.0f64, 0.0f64);
             for c in 0..3 {
                 // From PAD before the span to PAD after it: every tap along the row is there.
@@ -327,19 +348,24 @@ impl Kernel for Ssim<'_> {
                     );
                     let d_q = s.sub(zero, s.mul(ssim, i2));
                     let d_r = s.mul(s.mul(two, a1), inverse);
-                    s.store(d_mu, &mut partials[c * stride + at..]);
-                    s.store(d_q, &mut partials[(3 + c) * stride + at..]);
-                    s.store(d_r, &mut partials[(6 + c) * stride + at..]);
+                    let weight = match weights {
+                        Some(w) => s.load(&w[x..]),
+                        None => one,
+                    };
+                    s.store(s.mul(weight, d_mu), &mut partials[c * stride + at..]);
+                    s.store(s.mul(weight, d_q), &mut partials[(3 + c) * stride + at..]);
+                    s.store(s.mul(weight, d_r), &mut partials[(6 + c) * stride + at..]);
                     let (px, py) =
                         (s.load(&self.pictures[here + at..]), s.load(&self.pictures[here + 3 * stride + at..]));
                     let d = s.sub(px, py);
-                    row_l1 = s.add(row_l1, s.select(s.gt(d, zero), d, s.sub(zero, d)));
+                    row_l1 = s.fma(weight, s.select(s.gt(d, zero), d, s.sub(zero, d)), row_l1);
+                    let loss = s.mul(weight, s.sub(one, ssim));
                     // Columns past the picture are zeros, whose SSIM is not counted.
                     if x + S::LANES <= self.wanted.width {
-                        row_lost = s.add(row_lost, s.sub(one, ssim));
+                        row_lost = s.add(row_lost, loss);
                     } else {
                         let mut tail = [0.0f32; 16];
-                        s.store(s.sub(one, ssim), &mut tail);
+                        s.store(loss, &mut tail);
                         lost += tail[..self.wanted.width.saturating_sub(x).min(S::LANES)].iter().sum::<f32>() as f64;
                     }
                 }
@@ -408,6 +434,7 @@ impl Kernel for Gradient<'_> {
                 }
                 let here = (PAD_ROWS + y) * 6 * stride + c * stride + PAD;
                 let held = y * 5 * w.wide + 4 * w.wide;
+                let weights = w.weights_of(y);
                 for t in self.span.0..self.span.1 {
                     let behind = self.background.tile_row(y, t * TILE)[c];
                     let tile = &mut self.tiles[t];
@@ -422,6 +449,10 @@ impl Kernel for Gradient<'_> {
                         let ssim = s.fma(py, d_r, s.fma(s.mul(two, px), d_q, d_mu));
                         let sign =
                             s.select(s.gt(px, py), absolute, s.select(s.gt(py, px), s.sub(zero, absolute), zero));
+                        let sign = match weights {
+                            Some(w) => s.mul(s.load(&w[x..]), sign),
+                            None => sign,
+                        };
                         let v = s.fma(similarity, ssim, sign);
                         let free = s.ge(zero, s.load(&w.lines[held + x..]));
                         let v = s.select(free, v, zero);

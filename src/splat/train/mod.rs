@@ -45,6 +45,9 @@ pub struct Target {
     pub fit_exposure: bool,
     /// Pixels never trained on: in the loss the render itself, held fixed, stands there.
     pub held_back: Option<Vec<bool>>,
+    /// How much each pixel counts in the loss, beside the others of all targets: finite, 0 or more, 1 in the mean. `None`: 1
+    /// everywhere.
+    pub confidence: Option<Vec<f32>>,
     /// What `color` is: of normals, unit vectors as [`super::render::normals`] draws them.
     pub shown: Shown,
     pub name: String,
@@ -349,11 +352,17 @@ fn check(g: &Gaussians, targets: &[Target]) -> Result<()> {
             ("colours", t.color.len()),
             ("alphas", t.alpha.len()),
             ("held-back flags", t.held_back.as_ref().map_or(pixels, Vec::len)),
+            ("weights of pixels", t.confidence.as_ref().map_or(pixels, Vec::len)),
         ] {
             if found != pixels || pixels == 0 {
                 let expected = format!("{} × {} {what}", t.camera.width, t.camera.height);
                 return Err(Error::usage(format!("target {}", t.name)).expected(expected).found(found.to_string()));
             }
+        }
+        if let Some(bad) = t.confidence.iter().flatten().find(|w| !w.is_finite() || **w < 0.0) {
+            return Err(Error::usage(format!("target {}", t.name))
+                .expected("weights of pixels of 0 or more")
+                .found(bad.to_string()));
         }
     }
     Ok(())

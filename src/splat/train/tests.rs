@@ -23,6 +23,7 @@ fn views(g: &Gaussians, count: usize, size: u32) -> Vec<Target> {
                 refine_pose: None,
                 fit_exposure: false,
                 held_back: None,
+                confidence: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),
             }
@@ -127,6 +128,29 @@ fn held_back_pixels_are_never_looked_at() {
 }
 
 #[test]
+fn a_pixel_that_counts_less_is_met_less() {
+    // Two pictures that contradict each other from the same place: who counts more is heard, pixel by pixel.
+    let (targets, start) = problem();
+    let mut red = targets[0].clone();
+    red.color.fill([1.0, 0.0, 0.0]);
+    let left = |i: usize| i % 48 < 24;
+    let weights = |own: f32| (0..48 * 48).map(|i| if left(i) { own } else { 2.0 - own }).collect();
+    let mut pair = [targets[0].clone(), red];
+    pair[0].confidence = Some(weights(1.8));
+    pair[1].confidence = Some(weights(0.2));
+    let mut options = gentle(120);
+    options.rates.color = 0.05;
+    let g = train(Engine::Cpu, start, &pair, &options, &Silent).unwrap().gaussians;
+    let seen = render(&g, &pair[0].camera, [0.0; 3]);
+    let off = |t: &Target, of_left: bool| -> f32 {
+        let pixels = (0..48 * 48).filter(|i| left(*i) == of_left && t.alpha[*i] > 0.5);
+        pixels.map(|i| (seen.color[i][1] - t.alpha[i] * t.color[i][1]).abs()).sum()
+    };
+    assert!(off(&pair[0], true) < 0.7 * off(&pair[1], true), "{} {}", off(&pair[0], true), off(&pair[1], true));
+    assert!(off(&pair[1], false) < 0.7 * off(&pair[0], false), "{} {}", off(&pair[1], false), off(&pair[0], false));
+}
+
+#[test]
 fn deadline_interrupt_and_wrong_sizes() {
     let (mut targets, start) = problem();
     let options = Options { deadline: Some(Instant::now() - Duration::from_millis(1)), ..Options::scaled(50) };
@@ -144,6 +168,9 @@ fn deadline_interrupt_and_wrong_sizes() {
     }
     let stopped = train(Engine::Cpu, start.clone(), &targets, &Options::scaled(50), &Stop).unwrap_err();
     assert_eq!(stopped.kind, crate::Kind::Cancelled);
+    targets[3].confidence = Some(vec![f32::NAN; 48 * 48]);
+    let weights = train(Engine::Cpu, start.clone(), &targets, &Options::scaled(50), &Silent).unwrap_err();
+    assert!(weights.to_string().contains("view 3") && weights.to_string().contains("NaN"), "{weights}");
     targets[2].alpha.pop();
     let wrong = train(Engine::Cpu, start, &targets, &Options::scaled(50), &Silent).unwrap_err();
     assert!(wrong.to_string().contains("view 2") && wrong.to_string().contains("48 × 48"), "{wrong}");

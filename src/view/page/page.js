@@ -95,7 +95,8 @@ const number = (v, digits = 3) => Number(v.toPrecision(digits)).toLocaleString("
 function describe() {
   if (points.length === 2) return;
   const name = look.level ? `level ${look.level}` : scene.gaussians ? "Gaussians" : "level 1";
-  const what = look.show === "provenance" ? "where the texture of level 1 comes from" : `${look.show} of ${name}`;
+  const ofLevel1 = { provenance: "where the texture of level 1 comes from", error: "how far the network expected the colours of level 1 to be off" };
+  const what = ofLevel1[look.show] ?? `${look.show} of ${name}`;
   const above = camera.el < 0 ? "below" : "above";
   const words = `Looking ${bearing(camera, scene).toFixed(0)}°${scene.place ? " from north" : ""}, ${Math.abs(camera.el).toFixed(0)}° from ${above}, ${number(camera.dist)} ${unit} away; ${what}.`;
   say(measuring ? `${words} Measuring: point ${points.length + 1} of 2.` : words);
@@ -154,9 +155,11 @@ function overlay() {
   }
   for (const [x, y] of ends) out.push(element("circle", { cx: x, cy: y, r: 4, class: "rule" }));
   marks.replaceChildren(...out);
-  legend.hidden = look.show !== "depth";
+  legend.hidden = look.show !== "depth" && look.show !== "error";
   $("sources").hidden = look.show !== "provenance";
-  if (!legend.hidden) {
+  if (look.show === "error") {
+    [...legend.children].forEach((e, i) => (e.textContent = i ? "0" : `${scene.largest_error} of 255 or more`));
+  } else if (!legend.hidden) {
     const { eye, forward } = axes(shown, scene);
     const middle = add(scene.centre, eye, -1).reduce((sum, v, i) => sum + v * forward[i], 0);
     [...legend.children].forEach((e, i) => (e.textContent = `${number(Math.max(0, middle + (i ? 1 : -1) * scene.radius))} ${unit}`));
@@ -291,6 +294,7 @@ const keys = {
   f: fit, p: side, n: map, t: () => turntable(!turning), m: () => measure(!measuring), g: grid, c: compare,
   1: () => show("colour"), 2: () => show("depth"), 3: () => show("normals"),
   4: () => { if (scene.provenance) show("provenance"); },
+  5: () => { if (scene.error) show("error"); },
   l: () => { const all = $("level").options; if (all.length) level(all[($("level").selectedIndex + 1) % all.length].value); },
   Escape: () => { turntable(false); if (measuring) measure(false); },
   Enter: () => { if (measuring) pick(stage.clientWidth / 2, stage.clientHeight / 2); },
@@ -371,6 +375,7 @@ if (scene.levels.length) {
 $("compare").hidden = !scene.photo;
 if (scene.assumed) document.querySelector("#sources .mirrored").textContent = "the photo mirrored, symmetry assumed";
 Object.assign($("provenance"), { hidden: !scene.provenance, disabled: !scene.provenance });
+Object.assign($("error"), { hidden: !scene.error, disabled: !scene.error });
 placed();
 new ResizeObserver(() => {
   if (fitted) camera.dist = fitting(scene, stage.clientWidth, stage.clientHeight);

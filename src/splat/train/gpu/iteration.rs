@@ -28,7 +28,8 @@ pub struct State {
 pub struct Picture {
     pub width: u32,
     pub height: u32,
-    /// Colour times alpha; alpha, or −1 − alpha where held back.
+    /// Colour times alpha; alpha, or −1 − alpha where held back. After them how much each pixel counts, four in one, where that is
+    /// not 1 everywhere.
     pub wanted: Buffer,
 }
 
@@ -39,7 +40,9 @@ impl Picture {
             let held = t.held_back.as_ref().is_some_and(|h| h[i]);
             [c[0] * a, c[1] * a, c[2] * a, if held { -1.0 - a } else { a }]
         };
-        let values: Vec<[f32; 4]> = (0..t.color.len()).map(pixel).collect();
+        let weights = t.confidence.iter().flat_map(|c| c.chunks(4));
+        let four = |c: &[f32]| std::array::from_fn(|k| c.get(k).copied().unwrap_or_default());
+        let values: Vec<[f32; 4]> = (0..t.color.len()).map(pixel).chain(weights.map(four)).collect();
         let wanted = gpu.buffer("target", values.len() as u64 * 16);
         gpu.queue.write_buffer(&wanted, 0, bytemuck::cast_slice(&values));
         Picture { width: t.camera.width, height: t.camera.height, wanted }

@@ -84,11 +84,21 @@ impl Kernels {
             begin: plain("begin", sources!("view", "region", "training", "chunk", "begin")),
             ssim: plain(
                 "ssim",
-                sources!("view", "region", "training", "exposure", "hash", "backdrop", "window", "ssim"),
+                sources!("view", "region", "training", "exposure", "hash", "backdrop", "window", "weights", "ssim"),
             ),
             loss_gradient: plain(
                 "loss_gradient",
-                sources!("view", "region", "training", "exposure", "hash", "backdrop", "window", "loss_gradient"),
+                sources!(
+                    "view",
+                    "region",
+                    "training",
+                    "exposure",
+                    "hash",
+                    "backdrop",
+                    "window",
+                    "weights",
+                    "loss_gradient"
+                ),
             ),
             raster_backward,
             update: plain(

@@ -45,7 +45,12 @@ pub fn steps(targets: &[Target], options: &Options) -> Vec<Step> {
                 background,
                 loss: [(1.0 - lambda) * share, -lambda * share, options.regulariser(), options.regulariser()],
                 words: [seed[0], seed[1], turn as u32, options.degree(iteration) as u32],
-                more_words: [low, high, u32::from(target.shown == Shown::Normals), 0],
+                more_words: [
+                    low,
+                    high,
+                    u32::from(target.shown == Shown::Normals),
+                    u32::from(target.confidence.is_some()),
+                ],
                 exposure: [exposure[0], exposure[1], target.refine_pose.unwrap_or_default(), 0.0],
                 moving: options.moving.words(),
             })

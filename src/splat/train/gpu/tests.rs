@@ -143,7 +143,8 @@ fn on_cpu(g: &Gaussians, target: &Target, options: &Options) -> (All, f64) {
     let mut raster = Raster::default();
     raster.bins.build(&packed, &view, degree);
     raster.forward(&view, None);
-    let wanted = Wanted::new(w, h, &target.color, &target.alpha, target.held_back.as_deref());
+    let wanted = Wanted::new(w, h, &target.color, &target.alpha, target.held_back.as_deref())
+        .weighed(target.confidence.as_deref());
     let mut loss = Loss::new(w, h);
     let exposure = begun(target).change;
     let terms = Terms {
@@ -214,6 +215,7 @@ fn target(camera: Camera, seed: u64) -> Target {
         refine_pose: Some(0.0),
         fit_exposure: false,
         held_back: Some((0..n).map(|i| i % 97 < 5).collect()),
+        confidence: None,
         shown: Shown::Color,
         name: "test".into(),
     }
@@ -323,6 +325,7 @@ fn pictures_of_normals_turn_the_surface() {
                 alpha: frame.alpha,
                 shown,
                 held_back: None,
+                confidence: None,
                 refine_pose: None,
                 fit_exposure: false,
                 ..target(camera, 1)
@@ -367,6 +370,25 @@ fn gradients_under_an_exposure_are_those_of_the_cpu() {
             assert!((a - b).abs() < 2e-3 * largest, "{:?} {:?}", got.exposure, want.exposure);
         }
         assert!(largest > 1e-3, "{largest}");
+    }
+}
+
+#[test]
+fn gradients_with_a_weight_a_pixel_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (seed, w, h) in [(1, 93, 70), (2, 64, 64), (3, 17, 5)] {
+        let g = scene(200, 0.08, seed);
+        let mut r = Random::new(seed);
+        let weights = (0..w * h).map(|i| if i % 5 == 0 { 0.0 } else { 2.0 * r.uniform() }).collect();
+        let plain = target(camera(w, h), seed);
+        let t = Target { confidence: Some(weights), ..plain.clone() };
+        let o = options(3, Behind::Changing);
+        let (want, value) = on_cpu(&g, &t, &o);
+        let got = on_gpu(gpu, &g, &t, &o, 2, None);
+        same(&got, &want, &format!("weights {seed}"));
+        let loss = (0.8 * got.sums[0] + 0.2 * got.sums[1]) as f64 / (3 * w * h) as f64;
+        assert!((loss - value).abs() < 1e-4 * value + 1e-6, "loss {loss} {value}");
+        assert!((value - on_cpu(&g, &plain, &o).1).abs() > 1e-3 * value, "weights change nothing");
     }
 }
 

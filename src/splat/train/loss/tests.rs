@@ -12,6 +12,11 @@ fn window() -> [f64; 11] {
 
 /// The loss as its definition reads, in f64, one pixel and window at a time.
 fn reference(w: usize, h: usize, x: &[[f64; 3]], y: &[[f64; 3]], lambda: f64) -> f64 {
+    weighed_reference(w, h, x, y, lambda, &vec![1.0; w * h])
+}
+
+/// The same with a weight a pixel.
+fn weighed_reference(w: usize, h: usize, x: &[[f64; 3]], y: &[[f64; 3]], lambda: f64, weights: &[f32]) -> f64 {
     let k = window();
     let mut total = 0.0;
     for c in 0..3 {
@@ -37,7 +42,8 @@ fn reference(w: usize, h: usize, x: &[[f64; 3]], y: &[[f64; 3]], lambda: f64) ->
                 let ssim = (2.0 * mx * my + c1) * (2.0 * (xy - mx * my) + c2)
                     / ((mx * mx + my * my + c1) * (xx - mx * mx + yy - my * my + c2));
                 let i = py as usize * w + px as usize;
-                total += (1.0 - lambda) * (x[i][c] - y[i][c]).abs() + lambda * (1.0 - ssim);
+                let loss = (1.0 - lambda) * (x[i][c] - y[i][c]).abs() + lambda * (1.0 - ssim);
+                total += f64::from(weights[i]) * loss;
             }
         }
     }
@@ -53,7 +59,18 @@ fn window_is_a_normalised_gaussian() {
 
 #[test]
 fn value_and_gradient_match_the_definition() {
+    matches_the_definition(None);
+}
+
+#[test]
+fn value_and_gradient_match_the_definition_with_a_weight_a_pixel() {
+    let mut random = Random::new(8);
+    matches_the_definition(Some((0..37 * 21).map(|i| if i % 7 == 0 { 0.0 } else { 2.0 * random.uniform() }).collect()));
+}
+
+fn matches_the_definition(weights: Option<Vec<f32>>) {
     let (w, h) = (37usize, 21usize);
+    let weight = weights.clone().unwrap_or(vec![1.0; w * h]);
     let mut random = Random::new(5);
     let mut unit = || random.uniform();
     let color: Vec<[f32; 3]> = (0..w * h).map(|_| std::array::from_fn(|_| unit())).collect();
@@ -65,7 +82,7 @@ fn value_and_gradient_match_the_definition() {
         t.transmittance.iter_mut().for_each(|v| *v = 0.1 + 0.8 * unit());
         t.color.iter_mut().for_each(|c| c.iter_mut().for_each(|v| *v = 0.5 * unit()));
     }
-    let wanted = Wanted::new(w, h, &color, &alpha, Some(&held));
+    let wanted = Wanted::new(w, h, &color, &alpha, Some(&held)).weighed(weights.as_deref());
     let behind = [0.9f32, 0.3, 0.0];
     let mut loss = Loss::new(w, h);
     let plain = |background| Terms { background, lambda: 0.2, exposure: None };
@@ -91,7 +108,7 @@ fn value_and_gradient_match_the_definition() {
                 })
             })
             .collect();
-    let expected = reference(w, h, &x, &y, 0.2);
+    let expected = weighed_reference(w, h, &x, &y, 0.2, &weight);
     assert!((value - expected).abs() < 1e-6, "{value} {expected}");
     for (px, py) in [(0, 0), (7, 3), (36, 20), (36, 2), (20, 15), (16, 16), (30, 18)] {
         let (t, p) = index(px, py);
@@ -99,7 +116,7 @@ fn value_and_gradient_match_the_definition() {
             let shifted = |by: f64| {
                 let mut x = x.clone();
                 x[py * w + px][c] += by;
-                reference(w, h, &x, &y, 0.2)
+                weighed_reference(w, h, &x, &y, 0.2, &weight)
             };
             let difference = (shifted(1e-5) - shifted(-1e-5)) / 2e-5;
             let difference = if held[py * w + px] { 0.0 } else { difference };
@@ -203,4 +220,32 @@ fn an_exposures_gradients_match_the_definition() {
         let sum: f32 = (0..3).map(|c| loss.tiles[t].color[c][p] * behind[c]).sum();
         assert!((sum - loss.tiles[t].transmittance[p]).abs() < 1e-8);
     }
+}
+
+#[test]
+fn weights_of_one_change_no_bit_and_what_weighs_nothing_pulls_at_nothing() {
+    let (w, h) = (40usize, 24usize);
+    let mut random = Random::new(3);
+    let mut unit = || random.uniform();
+    let color: Vec<[f32; 3]> = (0..w * h).map(|_| std::array::from_fn(|_| unit())).collect();
+    let alpha: Vec<f32> = (0..w * h).map(|_| unit()).collect();
+    let mut rendered = vec![TilePixels::default(); 6];
+    for t in &mut rendered {
+        t.color.iter_mut().for_each(|c| c.iter_mut().for_each(|v| *v = 0.5 * unit()));
+    }
+    let evaluated = |weights: Option<&[f32]>| {
+        let wanted = Wanted::new(w, h, &color, &alpha, None).weighed(weights);
+        let mut loss = Loss::new(w, h);
+        let terms = Terms { background: Background::Flat([0.2, 0.4, 0.6]), lambda: 0.2, exposure: None };
+        let value = loss.evaluate(&rendered, |_| true, &wanted, terms);
+        (value, loss.tiles)
+    };
+    let (plain, one) = (evaluated(None), evaluated(Some(&vec![1.0; w * h])));
+    assert_eq!(plain.0, one.0);
+    assert!(plain.1.iter().zip(&one.1).all(|(a, b)| a.color == b.color && a.transmittance == b.transmittance));
+    // Farther than a window from what counts: columns 0 to 9 beside columns from 16 on.
+    let right: Vec<f32> = (0..w * h).map(|i| if i % w < 16 { 0.0 } else { 1.0 }).collect();
+    let (_, tiles) = evaluated(Some(&right));
+    let pull = |x: usize| tiles[x / TILE].color[1][5 * TILE + x % TILE];
+    assert!((0..10).all(|x| pull(x) == 0.0) && (20..w).all(|x| pull(x) != 0.0));
 }

@@ -31,6 +31,7 @@ fn problem(size: u32) -> (Vec<Target>, Gaussians) {
                 refine_pose: (i == 2).then_some(1.7),
                 fit_exposure: false,
                 held_back: None,
+                confidence: None,
                 shown: Shown::Color,
                 name: format!("view {i}"),
             }
