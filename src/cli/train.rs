@@ -2,6 +2,7 @@
 
 mod blocks;
 mod ground;
+mod poses;
 mod store;
 mod tiles;
 mod told;
@@ -310,6 +311,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     };
     let (Some(done), Some(mut sealed)) = (done, sealed) else { return Ok(0) };
 
+    if let Some(r) = done.refining.as_ref().filter(|r| !r.moved()) {
+        eprintln!("orb: warning: --refine-poses: {}", r.words());
+    }
     bar.begin("writing and sealing", 0);
     let placed = register::register(&fixes, &done.to_unit, args.seed).map(|r| placed(r, &done));
     if let Some(words) = placed.as_ref().and_then(|p| p.registration.contradiction(&fixes)) {

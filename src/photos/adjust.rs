@@ -16,8 +16,10 @@ use super::{Observation, Poses};
 /// Poses and points after the adjustment.
 #[derive(Clone, Debug)]
 pub struct Adjusted {
-    /// One a photo; those that were not to move as they were.
+    /// One a photo; those that were not to move, or that show too few points, as they were.
     pub poses: Vec<Pose>,
+    /// One a photo.
+    pub moved: Vec<bool>,
     /// One a point; those seen by fewer than two of the photos as they were.
     pub points: Vec<DVec3>,
 }
@@ -53,26 +55,64 @@ struct Normal {
     cameras: Vec<([Six; 6], Six)>,
 }
 
-/// Adjusts the photos for which `moves` holds. `None` where they share too few points to hold each other: fewer observations
-/// than numbers to find.
-pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> {
-    let moving: Vec<usize> = (0..all.photos.len()).filter(|i| moves(*i)).collect();
+/// A pose has six numbers and three points hold it; a photo that shows fewer than this many common ones stays where it is, as then
+/// it is their noise that moves it.
+const LEAST_POINTS: usize = 8;
+/// So many observed numbers for each of a pose's, beside what the points' own places take of them: with no more than one the noise of
+/// each goes into the poses whole.
+const SPARE: usize = 2;
+
+/// What photos show of points that others of them show too.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Common {
+    pub observations: usize,
+    pub points: usize,
+}
+
+/// Of the photos for which `counts` holds.
+pub fn common(all: &Poses, counts: impl Fn(usize) -> bool) -> Common {
+    let seen = sights(all, &(0..all.photos.len()).filter(|i| counts(*i)).collect::<Vec<_>>());
+    Common { observations: seen.iter().map(Vec::len).sum(), points: seen.iter().filter(|s| !s.is_empty()).count() }
+}
+
+/// By point: which of some photos show it. Those that one alone shows are left out.
+fn sights<'a>(all: &'a Poses, photos: &[usize]) -> Vec<Vec<Sight<'a>>> {
     let mut number = vec![None; all.photos.len()];
-    moving.iter().enumerate().for_each(|(k, i)| number[*i] = Some(k));
-    let given = |i: usize| (all.photos[i].rotation, all.photos[i].translation);
+    photos.iter().enumerate().for_each(|(k, i)| number[*i] = Some(k));
     let mut seen: Vec<Vec<Sight>> = all.points.iter().map(|_| Vec::new()).collect();
     for observation in &all.observations {
         let Some(camera) = number[observation.photo] else { continue };
+        let photo = &all.photos[observation.photo];
         // What lies behind its camera says nothing.
-        let view = View::new(observation, &all.photos[observation.photo].camera, &given(observation.photo));
+        let view = View::new(observation, &photo.camera, &(photo.rotation, photo.translation));
         if view.error(all.points[observation.point].0).is_some() {
             seen[observation.point].push(Sight { camera, observation });
         }
     }
     seen.iter_mut().filter(|s| s.len() < 2).for_each(Vec::clear);
+    seen
+}
+
+/// Adjusts the photos for which `moves` holds and that show enough points which others of them show too. `None` where those are too
+/// few to hold the poses.
+pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> {
+    let mut moving: Vec<usize> = (0..all.photos.len()).filter(|i| moves(*i)).collect();
+    let seen = loop {
+        let seen = sights(all, &moving);
+        let mut shown = vec![0; moving.len()];
+        seen.iter().flatten().for_each(|s| shown[s.camera] += 1);
+        let mut enough = shown.iter().map(|n| *n >= LEAST_POINTS);
+        let before = moving.len();
+        moving.retain(|_| enough.next() == Some(true));
+        // What those that are left out showed no longer counts as shown twice.
+        if moving.len() == before {
+            break seen;
+        }
+    };
+    let given = |i: usize| (all.photos[i].rotation, all.photos[i].translation);
     let count: usize = seen.iter().map(Vec::len).sum();
     let placed = seen.iter().filter(|s| !s.is_empty()).count();
-    if 2 * count < 6 * moving.len() + 3 * placed + 1 {
+    if moving.len() < 2 || 2 * count < SPARE * 6 * moving.len() + 3 * placed {
         return None;
     }
     let mut run = Run {
@@ -85,8 +125,11 @@ pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> 
     run.place();
     run.adjust();
     let mut poses: Vec<Pose> = (0..all.photos.len()).map(given).collect();
-    moving.iter().zip(&run.cameras).for_each(|(i, c)| poses[*i] = *c);
-    Some(Adjusted { poses, points: run.points })
+    let mut moved = vec![false; poses.len()];
+    for (i, c) in moving.iter().zip(&run.cameras) {
+        (poses[*i], moved[*i]) = (*c, true);
+    }
+    Some(Adjusted { poses, moved, points: run.points })
 }
 
 struct Run<'a> {
@@ -335,5 +378,30 @@ mod tests {
         let mut few = all.clone();
         few.observations.truncate(8);
         assert!(adjusted(&few, |_| true).is_none());
+        assert_eq!(common(&all, |_| true), Common { observations: 480, points: 80 });
+        assert_eq!(common(&all, |k| k == 4), Common::default());
+    }
+
+    #[test]
+    fn a_photo_of_few_common_points_stays_and_few_points_move_none() {
+        let all = disturbed(set(0.3));
+        let of = |keep: &dyn Fn(&Observation) -> bool| {
+            let mut some = all.clone();
+            some.observations.retain(keep);
+            some
+        };
+        // One photo shows seven points that others show, the others all.
+        let one = of(&|o| o.photo != 2 || o.point < 7);
+        let found = adjusted(&one, |_| true).unwrap();
+        assert_eq!(found.moved, [true, true, false, true, true, true]);
+        assert_eq!(found.poses[2], poses(&all)[2]);
+        // Six photos of seven points: more numbers than unknowns, 84 for 57, and each point in all photos.
+        assert!(adjusted(&of(&|o| o.point < 7), |_| true).is_none());
+        // Nine in every photo: 108 numbers for 27 of points and 36 of poses.
+        assert!(adjusted(&of(&|o| o.point < 9), |_| true).is_some());
+        // Points that two photos share each have one number to spare; a chain of ten a pair has 2·100 − 3·50 = 50 for 36.
+        let chain = of(&|o| o.point / 10 == o.photo || o.point / 10 + 1 == o.photo);
+        assert_eq!(common(&chain, |_| true).points, 50);
+        assert!(adjusted(&chain, |_| true).is_none());
     }
 }

@@ -11,6 +11,7 @@ pub mod ground;
 pub mod nadir;
 mod pictures;
 pub mod plan;
+mod refining;
 mod score;
 mod sky;
 #[cfg(test)]
@@ -23,7 +24,7 @@ use crate::geo::similarity::Similarity;
 use crate::models::Graph;
 use crate::photo::Photo;
 use crate::photos::frame::{self, Ground, UpBy};
-use crate::photos::{Posed, Poses};
+use crate::photos::{Posed, Poses, adjust};
 use crate::progress::Progress;
 use crate::splat::render::Drawers;
 use crate::splat::train::exposure::{Change, NONE};
@@ -34,9 +35,10 @@ use crate::{Error, Result};
 pub use crate::splat::train::Strategy;
 pub use begin::From;
 pub use blocks::Blocks;
-pub use cameras::{Errors, Refined};
+pub use cameras::{Errors, Moved, Refined};
 pub use cost::Cost;
 pub use pictures::Pictures;
+pub use refining::{By, Refining, Trial};
 pub use score::{Role, Scores, View};
 
 /// What stands behind all Gaussians.
@@ -124,6 +126,8 @@ pub struct Scene {
     pub held_out: Scores,
     /// The same with poses fitted to the Gaussians, where asked.
     pub held_out_fitted: Option<Scores>,
+    /// Where it was asked for: by what poses were refined, or why not.
+    pub refining: Option<Refining>,
     /// Where poses were refined.
     pub refined: Option<Refined>,
     pub reprojection: Errors,
@@ -194,8 +198,8 @@ pub fn fit(
         }
         false => None,
     };
-    let source = &Source { poses: adjusted.as_ref().unwrap_or(given), ..*source };
-    let pictures = pictures::read(source, &to_unit, options, progress)?;
+    let source = &Source { poses: adjusted.as_ref().map_or(given, |(all, _)| all), ..*source };
+    let mut pictures = pictures::read(source, &to_unit, options, progress)?;
     clock.lap("photos");
     let training = pictures.trained_on()?;
     let extent = extent(pictures.targets.iter().map(|t| t.camera.position()));
@@ -204,15 +208,28 @@ pub fn fit(
     clock.lap("first Gaussians");
     progress.check()?;
 
-    let mut schedule = schedule(options, extent, behind, training, begun_from);
-    if let Some(off) = adjusted.as_ref().and_then(|all| cameras::uncertainty(all, |i| !is_held_out(i))) {
+    let planned = |steps: usize| {
+        schedule(&Options { iterations: steps, ..options.clone() }, extent, behind, training, begun_from)
+    };
+    let by = match &adjusted {
+        _ if !options.refine_poses => None,
+        Some((_, photos)) => Some(By::Points { photos: *photos }),
+        None => Some(refining::tried(fitter, &start, &mut pictures, options.iterations, planned, progress)?),
+    };
+    let refining = by.map(|by| Refining { common: adjust::common(given, |i| !is_held_out(i)), by });
+    if let Some(Refining { by: By::Photos(_) | By::Nothing(Some(_)), .. }) = refining {
+        clock.lap("trial of poses");
+    }
+    let mut schedule = planned(options.iterations);
+    if let Some(off) = adjusted.as_ref().and_then(|(all, _)| cameras::uncertainty(all, |i| !is_held_out(i))) {
         schedule.rates.pose = schedule.rates.pose.min(pose_rate(off, schedule.iterations, training));
     }
     let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
     let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
     brightness::settle(&mut trained.gaussians, &mut trained.exposures, &learnt);
-    let refined =
-        options.refine_poses.then(|| cameras::settled(&mut trained, &pictures.targets, given, source.poses, &to_unit));
+    let refined = refining
+        .filter(Refining::moved)
+        .map(|_| cameras::settled(&mut trained, &pictures.targets, given, source.poses, &to_unit));
     let is_trained_on: Vec<bool> = pictures.targets.iter().map(|t| t.weight > 0.0).collect();
     let reprojection = cameras::errors(given, refined.as_ref(), |i| is_trained_on[i]);
     clock.lap("optimisation");
@@ -255,6 +272,7 @@ pub fn fit(
         trained: measured_trained,
         held_out: measured_held_out,
         held_out_fitted,
+        refining,
         refined,
         reprojection,
         behind,

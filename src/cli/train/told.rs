@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::poses;
 use super::store::Stored;
 use super::tiles::Tiled;
 use super::{Placed, StrategyName, Train};
@@ -67,7 +68,7 @@ pub fn params(
         ("begun_from".into(), text(begun(done))),
         ("longest_side_px".into(), Param::Int(options.longest_side.into())),
         ("exposure_compensated".into(), Param::Bool(options.exposure)),
-        ("poses_refined".into(), Param::Bool(options.refine_poses)),
+        ("poses_refined".into(), Param::Bool(done.refined.is_some())),
         ("background".into(), text(format!("{:?}", done.behind))),
         ("photos_trained_on".into(), Param::Int(done.trained.photos as i64)),
         ("photos_held_out".into(), Param::Int(done.held_out.photos as i64)),
@@ -83,10 +84,7 @@ pub fn params(
             all.insert("reprojection_observations".into(), Param::Int(e.observations as i64));
         }
     }
-    if let Some(r) = &done.refined {
-        all.insert("poses_refined_most_deg".into(), text(format!("{:.4}", r.turned)));
-        all.insert("poses_refined_most_shift".into(), text(format!("{:.5}", r.shifted)));
-    }
+    all.extend(poses::params(done));
     let fitted = done.held_out_fitted.unwrap_or_default();
     for (name, s) in [("trained", &done.trained), ("held_out", &done.held_out), ("held_out_poses_fitted", &fitted)] {
         let mut add = |what: &str, v: Option<f64>, places: usize| {
@@ -159,15 +157,8 @@ impl Told<'_> {
         if let Some(words) = reprojection(&done.reprojection) {
             line("reprojection", words);
         }
-        if let Some(r) = &done.refined {
-            line(
-                "refined",
-                format!(
-                    "poses turned by up to {:.3}°, shifted by up to {:.3} % of the distance",
-                    r.turned,
-                    100.0 * r.shifted
-                ),
-            );
+        for words in poses::lines(done) {
+            line("refined", words);
         }
         line("begun from", begun(done));
         let sky = if done.sky > 0 { format!(", {} of them the sky", done.sky) } else { String::new() };
@@ -277,7 +268,7 @@ impl Told<'_> {
             "reprojection": {
                 "before": done.reprojection.before.map(error), "after": done.reprojection.after.map(error),
             },
-            "poses_refined": done.refined.as_ref().map(|r| json!({"most_deg": r.turned, "most_shift": r.shifted})),
+            "refining": poses::json(done),
             "trained_on": scores(&done.trained),
             "photos": photos,
             "up_from": done.up_by.label(),

@@ -178,6 +178,7 @@ pub fn fit(
         trained,
         held_out,
         held_out_fitted: None,
+        refining: None,
         refined: None,
         // Blocks leave poses as they are.
         reprojection: cameras::errors(source.poses, None, |i| !source.held_out.get(i).copied().unwrap_or(false)),

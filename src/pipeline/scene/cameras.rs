@@ -20,10 +20,36 @@ pub struct Refined {
     pub poses: Vec<Pose>,
     /// The sparse points under them.
     pub points: Vec<DVec3>,
-    /// Largest turn, degrees.
-    pub turned: f64,
-    /// Largest shift, parts of the depth of what the camera looks at.
-    pub shifted: f64,
+    /// From the poses as given to those above.
+    pub moved: Moved,
+    /// Of that the adjustment by common points, where there was one, and training from there.
+    pub by_points: Option<Moved>,
+    pub by_photos: Moved,
+}
+
+/// How far poses came: median and largest over the photos trained on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moved {
+    /// Degrees.
+    pub turned: [f64; 2],
+    /// Parts of the depth of what the camera looks at.
+    pub shifted: [f64; 2],
+}
+
+impl Moved {
+    /// From where to where; `depths`: of what each camera looks at, in the poses' own world, where it counts.
+    fn of(before: &[Pose], after: &[Pose], depths: &[Option<f64>]) -> Moved {
+        let eye = |(r, t): &Pose| -(r.inverse() * *t);
+        let counted = || before.iter().zip(after).zip(depths).filter_map(|((a, b), d)| Some((a, b, (*d)?)));
+        let middle_and_most = |mut all: Vec<f64>| {
+            all.sort_by(f64::total_cmp);
+            [all.get(all.len() / 2), all.last()].map(|v| v.copied().unwrap_or(0.0))
+        };
+        Moved {
+            turned: middle_and_most(counted().map(|(a, b, _)| a.0.angle_between(b.0).to_degrees()).collect()),
+            shifted: middle_and_most(counted().map(|(a, b, d)| eye(a).distance(eye(b)) / d.max(1e-9)).collect()),
+        }
+    }
 }
 
 /// Over the photos trained on.
@@ -83,10 +109,11 @@ fn pose(c: &Camera) -> Pose {
     (Quat::from_mat3(&c.rotation).as_dquat().normalize(), c.translation.as_dvec3())
 }
 
-/// The poses bundle-adjusted, points with them, where the photos' points hold them together; those held out as they were. The
-/// world stays where it is.
-pub fn adjusted(poses: &Poses, moves: impl Fn(usize) -> bool) -> Option<Poses> {
+/// The poses bundle-adjusted, points with them, and how many photos that moved, where the photos' points hold them together; those
+/// held out as they were. The world stays where it is.
+pub fn adjusted(poses: &Poses, moves: impl Fn(usize) -> bool) -> Option<(Poses, usize)> {
     let found = adjust::adjusted(poses, &moves)?;
+    let moves = |i: usize| found.moved[i];
     let of = |all: &mut dyn Iterator<Item = Pose>| -> Vec<Pose> {
         all.enumerate().filter(|(i, _)| moves(*i)).map(|(_, p)| p).collect()
     };
@@ -97,7 +124,7 @@ pub fn adjusted(poses: &Poses, moves: impl Fn(usize) -> bool) -> Option<Poses> {
         (p.rotation, p.translation) = carried(&found.poses[i], &back);
     }
     out.points.iter_mut().zip(&found.points).for_each(|(p, at)| p.0 = back.apply(*at));
-    Some(out)
+    Some((out, given.len()))
 }
 
 /// How far off poses may still be after their adjustment, radians: three times what a photo of n points is known to where one of them is
@@ -140,19 +167,19 @@ pub fn settled(
             (c.rotation, c.translation) = (Mat3::from_quat(rotation.as_quat()), translation.as_vec3());
         }
     }
-    let mut out = Refined { poses: Vec::new(), points: Vec::new(), turned: 0.0, shifted: 0.0 };
-    for (i, p) in given.photos.iter().enumerate() {
-        let (before, after) = ((p.rotation, p.translation), in_world(&trained.cameras[i], to_unit));
-        let depth = targets[i].refine_pose.map(f64::from);
-        if let Some(depth) = depth {
-            let eye = |(r, t): Pose| -(r.inverse() * t);
-            out.turned = out.turned.max(before.0.angle_between(after.0).to_degrees());
-            out.shifted = out.shifted.max(eye(before).distance(eye(after)) * to_unit.scale / depth.max(1e-9));
-        }
-        out.poses.push(if depth.is_some() { after } else { before });
+    let of = |all: &Poses| -> Vec<Pose> { all.photos.iter().map(|p| (p.rotation, p.translation)).collect() };
+    let (given, start) = (of(given), of(begun));
+    let after = |(i, p): (usize, &Pose)| if is_refined(i) { in_world(&trained.cameras[i], to_unit) } else { *p };
+    let poses: Vec<Pose> = given.iter().enumerate().map(after).collect();
+    let depths: Vec<Option<f64>> =
+        targets.iter().map(|t| t.refine_pose.map(|depth| f64::from(depth) / to_unit.scale)).collect();
+    Refined {
+        moved: Moved::of(&given, &poses, &depths),
+        by_points: (given != start).then(|| Moved::of(&given, &start, &depths)),
+        by_photos: Moved::of(&start, &poses, &depths),
+        points: reprojection::placed_under(begun, &poses, is_refined),
+        poses,
     }
-    out.points = reprojection::placed_under(begun, &out.poses, is_refined);
-    out
 }
 
 /// Reprojection errors over the photos for which `counts` holds. `given`: before anything moved.

@@ -54,7 +54,11 @@ fn poses_that_are_off_are_found_in_training() {
     assert!(plain.refined.is_none() && refined.reprojection == Errors::default());
     // The whole stays where it was, those held out exactly.
     let r = refined.refined.unwrap();
-    assert!(r.turned > 0.2 && r.turned < 5.0 && r.shifted < 0.2, "{} {}", r.turned, r.shifted);
+    let (most, shift) = (r.moved.turned[1], r.moved.shifted[1]);
+    assert!(most > 0.2 && most < 5.0 && shift < 0.2 && r.moved.turned[0] < most, "{:?}", r.moved);
+    assert!(r.by_points.is_none() && r.by_photos == r.moved);
+    let refining = refined.refining.unwrap();
+    assert!(refining.trial().unwrap().gain > 0.5 && refining.common.points == 0, "{refining:?}");
     assert_eq!(r.poses[8], (given.photos[8].rotation, given.photos[8].translation));
     let eye = |(q, t): &(DQuat, DVec3)| -(q.inverse() * *t);
     let mean = |all: &mut dyn Iterator<Item = DVec3>| all.sum::<DVec3>() / 21.0;
@@ -74,5 +78,32 @@ fn what_photos_show_of_points_puts_poses_right_before_training() {
     let truth = &*BRIEF;
     let psnr = s.held_out_fitted.unwrap().psnr;
     assert!(psnr > truth.held_out.psnr - 0.7, "{psnr} {:?}", truth.held_out);
-    assert_eq!(s.refined.unwrap().points.len(), given.points.len());
+    let r = s.refined.unwrap();
+    assert_eq!(r.points.len(), given.points.len());
+    // The points did nearly all of it.
+    let (by_points, by_photos) = (r.by_points.unwrap(), r.by_photos);
+    assert!(by_points.turned[0] > 5.0 * by_photos.turned[0], "{by_points:?} {by_photos:?}");
+    assert!(matches!(s.refining.unwrap().by, By::Points { photos: 21 }), "{:?}", s.refining);
+}
+
+#[test]
+fn poses_that_are_right_are_left_alone_where_photos_alone_would_say() {
+    let options = Options { refine_poses: true, ..brief() };
+    let s = trained(&SITE, &options, false);
+    assert!(matches!(s.refining.unwrap().by, By::Nothing(Some(_))) && s.refined.is_none(), "{:?}", s.refining);
+    // The scene is the one that it would have been.
+    assert!(s.gaussians == BRIEF.gaussians && s.cameras == BRIEF.cameras);
+    // Eight points in common are not enough, nor is a run that gives each photo one step.
+    let few = with_source(&SITE, false, |source| {
+        let mut poses = source.poses.clone();
+        for (point, photo) in (0..8).flat_map(|point| (1..4).map(move |photo| (point, photo))) {
+            let at = poses.photos[photo].pixel(poses.points[point].0);
+            poses.observations.extend(at.map(|at| Observation { photo, point, at }));
+        }
+        let options = Options { iterations: 100, ..options.clone() };
+        fit(&Source { poses: &poses, ..*source }, splat::Engine::Cpu, &options, None, &Silent).unwrap()
+    });
+    let refining = few.refining.unwrap();
+    assert!(refining.by == By::Nothing(None) && refining.common.points > 0, "{refining:?}");
+    assert!(refining.words().contains("too few for an adjustment") && few.refined.is_none());
 }
