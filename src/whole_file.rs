@@ -23,10 +23,11 @@ pub enum Found {
 /// # Errors
 /// It cannot be read at all.
 pub fn read(path: &Path, kind: &[u8; 8]) -> Result<Found> {
-    Ok(open(fs::read(path)?, kind))
+    Ok(of(fs::read(path)?, kind))
 }
 
-fn open(mut bytes: Vec<u8>, kind: &[u8; 8]) -> Found {
+/// The same of a file's bytes.
+pub fn of(mut bytes: Vec<u8>, kind: &[u8; 8]) -> Found {
     if bytes.get(..8) != Some(kind) {
         return Found::Other;
     }
@@ -87,8 +88,8 @@ mod tests {
         for i in 0..whole.len() {
             let mut changed = whole.clone();
             changed[i] ^= 1;
-            assert_eq!(open(changed, b"orb-test"), if i < 8 { Found::Other } else { Found::Damaged });
-            assert_eq!(open(whole[..i].to_vec(), b"orb-test"), if i < 8 { Found::Other } else { Found::Damaged });
+            assert_eq!(of(changed, b"orb-test"), if i < 8 { Found::Other } else { Found::Damaged });
+            assert_eq!(of(whole[..i].to_vec(), b"orb-test"), if i < 8 { Found::Other } else { Found::Damaged });
         }
         assert!(write(&dir.path().join("new"), b"orb-test", b"a folder stands there").is_err());
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);

@@ -28,7 +28,7 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 31] = [
+pub const EVENT_TYPES: [EventType; 32] = [
     event("access.refused", "orb serve refused somebody, so many times in a minute", "attempts are seen"),
     event("account.add", "an account of orb serve was made", "who may do what, and since when"),
     event(
@@ -61,6 +61,7 @@ pub const EVENT_TYPES: [EventType; 31] = [
     event("report.publish", "orb audit report --sign published", "who vouches for which verdict"),
     event("run.failed", "a run ended without a result", "failures are events too"),
     event("run.refused", "policy refused a run: a key, an algorithm, a pin", "attempts are seen"),
+    event("scene.block", "orb train --block trained one block of a scene, or its coarse scene", MADE),
     event("scene.export", "orb export published", MADE),
     event("scene.generate", "orb geo published", MADE),
     event("scene.reconstruct", "orb reconstruct published", MADE),

@@ -136,14 +136,27 @@ impl Publication {
     /// As [`Publication::begin`], but for what takes writing to find out.
     pub fn check(folder: &Path, replace: bool) -> Result<()> {
         let (parent, name) = parent_and_name(folder)?;
-        check_free(&parent.join(name), replace)
+        check_free(&parent.join(name), replace, &[])
+    }
+
+    /// As [`Publication::begin`], for a folder that the run itself works in until it is published: files of these names may stand
+    /// there and go with the folder that is replaced.
+    ///
+    /// # Errors
+    /// As [`Publication::begin`].
+    pub fn begin_over(destination: &Destination, own: &[&str]) -> Result<Publication> {
+        Publication::staged(destination, Disk::default(), own)
     }
 
     pub(super) fn begin_with(to: &Destination, disk: Disk) -> Result<Publication> {
+        Publication::staged(to, disk, &[])
+    }
+
+    fn staged(to: &Destination, disk: Disk, own: &[&str]) -> Result<Publication> {
         let (parent, name) = parent_and_name(&to.folder)?;
         let folder = parent.join(&name);
         sweep(&parent, &name, &disk);
-        check_free(&folder, to.replace)?;
+        check_free(&folder, to.replace, own)?;
         let staging = parent.join(beside(&name, &format!("{:016x}", to.nonce)));
         disk.create_dir(&staging).map_err(|mut e| {
             e.subject = folder.display().to_string();

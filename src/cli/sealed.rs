@@ -57,6 +57,21 @@ impl SealedRun {
         SealedRun::begin_in(data, command, folder, handling, args)
     }
 
+    /// As [`SealedRun::begin`], in place of a folder that the run itself works in: see [`Publication::begin_over`].
+    ///
+    /// # Errors
+    /// As [`SealedRun::begin`].
+    pub fn begin_over(
+        command: &'static str,
+        folder: &Path,
+        own: &[&str],
+        handling: Handling,
+        args: &PublishArgs,
+    ) -> Result<SealedRun> {
+        let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+        SealedRun::staged(data, command, folder, handling, args, own)
+    }
+
     /// As [`SealedRun::begin`], with the user's data folder.
     ///
     /// # Errors
@@ -67,6 +82,17 @@ impl SealedRun {
         folder: &Path,
         handling: Handling,
         args: &PublishArgs,
+    ) -> Result<SealedRun> {
+        SealedRun::staged(data, command, folder, handling, args, &[])
+    }
+
+    fn staged(
+        data: DataFolder,
+        command: &'static str,
+        folder: &Path,
+        handling: Handling,
+        args: &PublishArgs,
+        own: &[&str],
     ) -> Result<SealedRun> {
         let ntp_server = args.key.ntp_server.clone();
         let key = events::key_for_run(&data, command, &argv::caller(), &handling.marking, args.key.named())?;
@@ -86,7 +112,7 @@ impl SealedRun {
         let nonce = u64::from_le_bytes(nonce);
         let destination =
             Destination { folder: folder.to_owned(), replace: args.replace, handling: handling.clone(), nonce };
-        let publication = Publication::begin(&destination)?;
+        let publication = Publication::begin_over(&destination, own)?;
         Ok(SealedRun { command, data, key: key.key, handling, event_random, ntp_server, publication })
     }
 

@@ -39,8 +39,8 @@ pub(super) fn parent_and_name(folder: &Path) -> Result<(PathBuf, OsString)> {
     Ok((parent, name.to_owned()))
 }
 
-/// Refuses a destination that is not free, and in it files that Orb did not write.
-pub(super) fn check_free(folder: &Path, replace: bool) -> Result<()> {
+/// Refuses a destination that is not free, and in it files that Orb did not write. Those of the names in `own` are the run's.
+pub(super) fn check_free(folder: &Path, replace: bool, own: &[&str]) -> Result<()> {
     let in_use = |found: &str, advice: &str| {
         Error::usage(folder.display().to_string()).expected("a new or empty folder").found(found).advice(advice)
     };
@@ -52,7 +52,7 @@ pub(super) fn check_free(folder: &Path, replace: bool) -> Result<()> {
         return Err(in_use("a file or a link", "Choose another place with -o."));
     }
     let entries = disk::walk(folder)?;
-    if entries.is_empty() {
+    if entries.iter().all(|e| !e.is_dir && own.contains(&e.name.as_str())) {
         return Ok(());
     }
     let record_path = folder.join(RECORD);

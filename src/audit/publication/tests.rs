@@ -424,3 +424,20 @@ fn a_folder_that_cannot_be_written() {
     }
     fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o755)).unwrap();
 }
+
+#[test]
+fn a_folder_that_the_run_works_in_becomes_the_published_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("part");
+    std::fs::create_dir(&out).unwrap();
+    std::fs::write(out.join("a.part"), b"made").unwrap();
+    let own = ["a.part", "run.ckpt"];
+    let to = destination(&out);
+    assert!(Publication::begin(&to).is_err(), "a folder with other files");
+    let begun = Publication::begin_over(&to, &own).unwrap();
+    assert!(out.join("a.part").is_file(), "it is there until the seal");
+    drop(begun);
+    std::fs::write(out.join("b"), b"another's").unwrap();
+    let refused = Publication::begin_over(&to, &own).unwrap_err().to_string();
+    assert!(refused.contains("other files"), "{refused}");
+}
