@@ -30,7 +30,7 @@ pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, s
 pub use sheet::scene_png;
 pub use splat_tree::{TILE as TILE_OF_SPLATS, splat_tree};
 pub use standing::standing;
-pub use terrain::{OnEarth, Patch, add_terrain, levels, pixel_of};
+pub use terrain::{Around, OnEarth, Patch, add_terrain, fill_from, levels, pixel_of};
 
 /// One level of detail in the subject frame, metres.
 #[derive(Clone, Debug)]

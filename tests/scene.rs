@@ -1,5 +1,7 @@
 //! `orb train` from the outside, on made places whose truth is known.
 
+#[path = "scene/poses.rs"]
+mod poses;
 mod sets;
 
 use std::collections::BTreeMap;
@@ -9,9 +11,10 @@ use std::process::Command;
 use orb::geo::{Ecef, Geodetic, HeadingSource, Placement, convex_hull};
 use orb_formats::cdb::geocell::Tile;
 use orb_formats::cdb::names;
-use orb_formats::{glb, tiles3d};
+use orb_formats::{geotiff, glb, tiles3d};
 use serde_json::Value;
 use sets::{Bench, json};
+use sha2::Digest;
 
 fn predicate(folder: &Path) -> Value {
     use base64::Engine;
@@ -343,9 +346,45 @@ fn a_scene_in_blocks_with_control_points_goes_into_a_store_that_is_there() {
         assert!((height[0] - of("ellipsoidal_height_m")).abs() < 1.5, "{height:?}");
     }
     b.good(&["audit", "verify", "out"]);
-    // The same scene once more, from its parts, as a store of its own.
-    b.good(&[&train[..], &["-o", "own"]].concat());
+    // The same scene once more, from its parts, as a store of its own, in terrain that is known: a plane five metres below it.
+    let plane = |latitude: f64, longitude: f64| {
+        of("ellipsoidal_height_m") - 5.0 + 200.0 * (latitude - of("latitude")) + 100.0 * (longitude - of("longitude"))
+    };
+    let terrain = |name: &str, off: f64| {
+        let (side, step) = (200u32, 1e-4);
+        let (west, north) = (of("longitude") - 0.01, of("latitude") + 0.01 + off);
+        let grid = geotiff::Grid { west, north, step_x: step, step_y: step, posts: false };
+        let middle = |k: u32| (f64::from(k) + 0.5) * step;
+        let heights: Vec<f32> =
+            (0..side * side).map(|i| plane(north - middle(i / side), west + middle(i % side)) as f32).collect();
+        std::fs::write(b.at(name), geotiff::write(side, side, &heights, &grid, "").unwrap()).unwrap();
+        b.text(name)
+    };
+    let run = |file: String| {
+        let more = ["-o", "own", "--json", "--ground-dem", &file, "--ground-dem-datum", "ellipsoid"];
+        b.orb(&[&train[..], &more].concat())
+    };
+    let far = run(terrain("far.tif", 1.0));
+    let said = String::from_utf8_lossy(&far.stderr).into_owned();
+    assert!(far.status.code() == Some(2) && said.contains("far.tif") && said.contains("--ground-dem"), "{said}");
+    let done = run(terrain("hills.tif", 0.0));
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let told: Value = serde_json::from_slice(&done.stdout).unwrap();
     assert!(!b.good(&["cdb", "check", &b.text("own/scene.cdb")]).contains("FAIL"));
+    let above = &told["store"]["around"];
+    assert!(
+        (above["ground_above_it_m"].as_f64().unwrap() - 5.0).abs() < 1.5 && above["file"] == "hills.tif",
+        "{above}"
+    );
+    let p = predicate(&b.at("own"));
+    assert!(p["inputs"].as_array().unwrap().iter().any(|i| i["role"] == "terrain" && i["name"] == "hills.tif"));
+    assert_eq!(p["params"]["terrain_around_from"], "hills.tif");
+    let (latitude, longitude) = (of("latitude") + 0.006, of("longitude") + 0.006);
+    let coarse = names::path(Tile::containing(latitude, longitude, 0).unwrap(), names::ELEVATION, (1, 1), "tif");
+    if let Some(height) = gdal_value(&b.at("own/scene.cdb").join(coarse), latitude, longitude) {
+        // A post is 108 m from the next.
+        assert!((height[0] - plane(latitude, longitude)).abs() < 0.3, "{height:?}");
+    }
 }
 
 #[test]
@@ -389,9 +428,28 @@ fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
         |more: &[&str]| b.good(&[&["train", &set, "--blocks", "2", "--parts", "parts"], &BRIEF[..6], more].concat());
     let plan = train(&["--plan"]);
     assert!(plan.contains("12 photos") && plan.contains("memory") && plan.contains("2 blocks"), "{plan}");
+    assert!(!plan.contains("meshes"), "{plan}");
+    let plan = train(&["--plan", "--format", "tiles3d", "--tiles", "mesh"]);
+    assert!(plan.contains("of it about") && plan.contains("for meshes in"), "{plan}");
     assert_eq!(train(&["--block", "2", "-o", "none"]), "");
     assert!(b.at("parts/coarse/gaussians.part").is_file() && b.at("parts/block_002/gaussians.part").is_file());
     assert!(!b.at("parts/block_001").exists() && !b.at("none").exists());
+    // Each has a record of its own, of the photos and of what it began with.
+    for (part, photos) in [("coarse", "coarse"), ("block_002", "block 2 of 2")] {
+        let (folder, p) = (format!("parts/{part}"), predicate(&b.at(&format!("parts/{part}"))));
+        b.good(&["audit", "verify", &folder]);
+        assert_eq!((p["event"]["type"].clone(), p["params"]["part"].clone()), ("scene.block".into(), photos.into()));
+        assert!(p["params"]["poses_sha256"].as_str().unwrap().len() == 64 && p["params"]["seed"] == "0", "{p}");
+        let roles = |role: &str| p["inputs"].as_array().unwrap().iter().filter(|i| i["role"] == role).count();
+        let from = usize::from(part != "coarse");
+        assert_eq!((roles("photo"), roles("poses"), roles("part"), roles("record")), (12, 3, from, from));
+        assert!(!b.at(&folder).join("run.ckpt").exists());
+    }
+    let sha = |file: &str| hex::encode(sha2::Sha256::digest(std::fs::read(b.at(file)).unwrap()));
+    let of_block = sha("parts/block_002/orb-record.dsse.json");
+    // Nothing is trained or sealed anew.
+    train(&["--block", "2", "-o", "none"]);
+    assert_eq!(sha("parts/block_002/orb-record.dsse.json"), of_block);
     let told: Value = serde_json::from_str(&train(&["-o", "out", "--json", "--split-ground"])).unwrap();
     assert_eq!((&told["iterations"], &told["held_out"]["photos"]), (&180.into(), &2.into()));
     let count = |file: &str| -> u64 {
@@ -403,64 +461,27 @@ fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
     assert!(count("ground.ply") > 100 && count("objects.ply") > 100);
     assert_eq!(count("ground.ply") + count("objects.ply"), near);
     b.good(&["audit", "verify", "out"]);
+    // The whole names what it was put together of, and its report shows it; what it trained itself is no input.
+    let p = predicate(&b.at("out"));
+    let inputs = p["inputs"].as_array().unwrap();
+    let of = |name: &str| inputs.iter().find(|i| i["name"] == name).map(|i| i["sha256"].as_str().unwrap().to_owned());
+    assert_eq!(of("block_002/orb-record.dsse.json"), Some(of_block));
+    assert_eq!(of("block_002/gaussians.part"), Some(sha("parts/block_002/gaussians.part")));
+    assert!(of("coarse/orb-record.dsse.json").is_some() && of("block_001/gaussians.part").is_none());
+    assert_eq!(p["params"]["parts_run"], predicate(&b.at("parts/block_002"))["params"]["parts_run"]);
+    b.good(&["audit", "report", "out", "--format", "markdown", "-o", "report.md"]);
+    let report = std::fs::read_to_string(b.at("report.md")).unwrap();
+    assert!(report.contains("block_002/") && report.contains("record"), "{report}");
+    // A part that is not its record's is refused.
+    let kept = std::fs::read(b.at("parts/coarse/gaussians.part")).unwrap();
+    std::fs::copy(b.at("parts/block_002/gaussians.part"), b.at("parts/coarse/gaussians.part")).unwrap();
+    let changed = b.orb(&[&["train", &set, "--blocks", "2", "--parts", "parts", "-o", "no"], &BRIEF[..6]].concat());
+    let said = String::from_utf8_lossy(&changed.stderr).into_owned();
+    assert!(changed.status.code() == Some(1) && said.contains("as its record says"), "{said}");
+    std::fs::write(b.at("parts/coarse/gaussians.part"), kept).unwrap();
     // Another seed is another run.
     let args = [&["train", &set, "--blocks", "2", "--parts", "parts", "--seed", "1", "-o", "no"], &BRIEF[..6]].concat();
     assert!(b.refused(&args).contains("--parts"));
     assert!(b.refused(&["train", &set, "--block", "1"]).contains("--blocks"));
     assert!(b.refused(&["train", &set, "--blocks", "2", "--exposure"]).contains("as a whole"));
-}
-
-/// Turns every camera of a COLMAP model in text by about a degree, each about another axis.
-fn disturbed(model: &Path) {
-    let file = model.join("images.txt");
-    let turned = |(i, line): (usize, &str)| {
-        let mut words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
-        if words.len() == 10 {
-            let k = 2 + i % 3;
-            words[k] = (words[k].parse::<f64>().unwrap() + if i % 4 < 2 { 0.009 } else { -0.009 }).to_string();
-        }
-        words.join(" ")
-    };
-    let text = std::fs::read_to_string(&file).unwrap();
-    std::fs::write(file, text.lines().enumerate().map(turned).collect::<Vec<_>>().join("\n") + "\n").unwrap();
-}
-
-#[test]
-fn refined_poses_are_published_and_taken_again() {
-    let b = Bench::new("1", "12", "96", &["--site", "--gps-noise", "0.2"]);
-    let set = b.text("sets/00_site");
-    let run = |out: &str, steps: &str, more: &[&str]| -> (Value, String) {
-        let run =
-            ["train", &set, "-o", out, "--json", "--sky", "off", "--iterations", steps, "--max-gaussians", "4000"];
-        let done = b.orb(&[&run[..], &["--device", "cpu"], more].concat());
-        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-        (serde_json::from_slice(&done.stdout).unwrap(), String::from_utf8_lossy(&done.stderr).into_owned())
-    };
-    // Poses that are right, and too few steps to find others: they stay, and it is said.
-    let (told, said) = run("right", "60", &["--refine-poses"]);
-    assert!(told["refining"]["by"] == "nothing" && told["refining"]["trial"].is_null(), "{}", told["refining"]);
-    assert!(said.contains("warning: --refine-poses: poses stay as given") && !b.at("right/sparse").exists(), "{said}");
-    let p = predicate(&b.at("right"));
-    assert_eq!(
-        (p["params"]["poses_refined"].clone(), p["params"]["poses_refined_by"].clone()),
-        (false.into(), "nothing".into())
-    );
-
-    disturbed(&b.at("sets/00_site/sparse/0"));
-    let (told, said) = run("out", "480", &["--refine-poses"]);
-    let refining = &told["refining"];
-    assert!(refining["by"] == "photos" && refining["trial"]["gain_db"].as_f64().unwrap() > 0.3, "{refining}");
-    let moved = &refining["moved"]["all"];
-    assert!(moved["most_deg"].as_f64().unwrap() > 0.2 && moved["most_shift"].as_f64().unwrap() < 0.2, "{moved}");
-    assert!(moved["median_deg"].as_f64() < moved["most_deg"].as_f64() && !said.contains("stay as given"), "{said}");
-    assert!(told["held_out_poses_fitted"]["psnr_db"].as_f64().unwrap() > 10.0);
-    // The model has no observations.
-    assert!(told["reprojection"]["before"].is_null() && told["reprojection"]["after"].is_null());
-    let p = predicate(&b.at("out"));
-    assert!(p["params"]["poses_refined"] == true && p["params"]["poses_refined_median_deg"].is_string());
-    assert!(b.at("out/sparse/0/images.txt").is_file());
-    b.good(&["audit", "verify", "out"]);
-    let (again, _) = run("again", "60", &["--poses", &b.text("out/sparse/0")]);
-    assert!(again["held_out_poses_fitted"].is_null() && again["trained_on"]["photos"] == 10, "{again}");
-    assert!(again["refining"].is_null());
 }

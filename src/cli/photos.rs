@@ -2,7 +2,7 @@
 
 mod set;
 
-pub use set::Set;
+pub use set::{Set, line_of};
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,10 @@
 //! `orb train`: a folder of posed photos becomes the Gaussians of a whole scene, measured on photos held out, marked and sealed.
 
+mod around;
 mod blocks;
 mod ground;
+mod parts;
+mod plan;
 mod poses;
 mod store;
 mod tiles;
@@ -29,7 +32,6 @@ use crate::geo::{HeadingSource, Placement, ScaleSource};
 use crate::models::Graph;
 use crate::photos::register::{self, Registration};
 use crate::photos::{colmap, dataset};
-use crate::pipeline::scene::plan::Job;
 use crate::pipeline::scene::{self, Background, Cost, Scene, Sky, Source, Strategy};
 use crate::progress::Progress;
 use crate::{Error, Result, memory, splat};
@@ -125,6 +127,8 @@ pub struct Train {
     /// --format cdb.
     #[arg(long, value_name = "STORE")]
     pub cdb: Option<PathBuf>,
+    #[command(flatten)]
+    pub around: around::AroundArgs,
     /// What 3D Tiles hold, separated by commas: the Gaussians in tiles3d, textured meshes of the whole scene in tiles3d-mesh.
     #[arg(long, value_delimiter = ',', value_enum, default_value = "splats")]
     pub tiles: Vec<TileContent>,
@@ -224,16 +228,27 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         // A folder that is none is refused now, not after training; nobody is kept from it meanwhile.
         OpenStore::open(store)?;
     }
+    let around = args.around.open(args.format.contains(&SceneFormat::Cdb))?;
     let mut set = Set::open(&args.data, &args.photos, args.masks.as_deref())?;
     let kept = args.kept.open()?;
     let network = Network::open(args)?;
-    let handling = args.publish.marking.decide(set.carried(), &time::now()?.utc())?;
-    let product = handling.marking.clone();
     let stem = geo::stem_of(&args.data);
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}_scene")));
-    // A plan and a block of several publish nothing.
-    let publishes = !args.large.plan && args.large.block.is_none();
-    let sealed = publishes.then(|| SealedRun::begin("orb train", &output, handling, &args.publish)).transpose()?;
+    let standing = args.large.standing(&output)?;
+    let mut carried: Vec<_> = set.carried().to_vec();
+    carried.extend(standing.iter().map(|p| p.marking.clone()));
+    carried.extend(around.iter().map(around::Around::carried).collect::<Result<Vec<_>>>()?);
+    let handling = args.publish.marking.decide(&carried, &time::now()?.utc())?;
+    let product = handling.marking.clone();
+    // A plan publishes nothing; a block of several has its record where it is kept.
+    let (sealed, sealing) = match args.large.block {
+        _ if args.large.plan => (None, None),
+        None => (Some(SealedRun::begin("orb train", &output, handling, &args.publish)?), None),
+        Some(i) => {
+            let folder = args.large.folder(&output);
+            (None, Some(parts::Sealing::begin(args, &folder, i as usize - 1, &standing, &handling)?))
+        }
+    };
     let say = |line: &str| {
         if !args.publish.quiet {
             eprintln!("orb: {line}");
@@ -261,7 +276,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         None => cost.cap(),
     };
     if args.large.plan {
-        return plan(args, &set, &cost, most, fitter);
+        return plan::said(args, &set, &held_out, &cost, most, fitter);
     }
     say(&cost.words(most));
     let options = scene::Options {
@@ -286,11 +301,12 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     let photos = &set.poses()?.photos;
     if let Some(format) = args.format.iter().find(|f| f.needs_place()).and_then(ValueEnum::to_possible_value) {
         let (to_unit, ..) = scene::unit_frame(set.poses()?, options.up, args.seed)?;
-        register::register(&fixes, &to_unit, args.seed).ok_or_else(|| {
+        let placed = register::register(&fixes, &to_unit, args.seed).ok_or_else(|| {
             Error::usage(format!("--format {}", format.get_name()))
                 .expected("photos that know their place on the Earth: three with GPS, or --gcp")
                 .found("none that say it")
         })?;
+        around.iter().try_for_each(|a| a.check(placed.place(glam::DVec3::ZERO)))?;
     }
     let source = Source {
         poses: set.poses()?,
@@ -299,16 +315,22 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         mask: &|i| set.mask(&photos[i]),
     };
     let lpips = network.as_ref().map(|n| &*n.graph);
-    let done = match args.large.open(&set, &options, &held_out, &output)? {
+    let cut = args.large.open(&set, &options, &held_out, &output)?;
+    let done = match &cut {
         None => Some(scene::fit(&source, fitter, &options, lpips, &bar)?),
         Some(blocks) => {
             let mut tell = |line: String| say(&line);
-            let (done, made) = scene::blocks::fit(&source, fitter, &options, &blocks, lpips, &bar, &mut tell)?;
+            let (done, made) = scene::blocks::fit(&source, fitter, &options, blocks, lpips, &bar, &mut tell)?;
             let parts = blocks.folder.display();
             say(&format!("{} parts trained, {} found in {parts}", made.trained, made.found));
             done
         }
     };
+    if let (Some(sealing), Some(cut)) = (sealing, &cut) {
+        for folder in sealing.seal(args, &set, &options, cut, &fitter.name())? {
+            say(&format!("sealed {}", folder.display()));
+        }
+    }
     let (Some(done), Some(mut sealed)) = (done, sealed) else { return Ok(0) };
 
     if let Some(r) = done.refining.as_ref().filter(|r| !r.moved()) {
@@ -366,7 +388,8 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     }
     let stored = match placed.as_ref().zip(ground.as_ref()) {
         Some((p, ground)) if args.format.contains(&SceneFormat::Cdb) => {
-            let how = store::How { most: args.models as usize, into: args.cdb.as_deref(), progress: &bar, say: &say };
+            let (most, into, around) = (args.models as usize, args.cdb.as_deref(), around.as_ref());
+            let how = store::How { most, into, around, progress: &bar, say: &say };
             Some(store::publish(&done, ground, p, &labels, &mut sealed.publication, &how)?)
         }
         _ => None,
@@ -381,13 +404,16 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     sealed.publication.add("preview.png", &preview, "image/png", "preview")?;
     bar.check()?;
     let measure = network.as_ref().map(|n| record::model("lpips", "", &n.sha256, n.size, &n.engine));
+    let beside = standing.iter().flat_map(|p| &p.inputs).chain(around.iter().map(|a| &a.input));
+    let inputs = set.inputs().iter().chain(beside);
     let published = sealed.seal(Evidence {
         event_type: "scene.train",
         time: reading,
-        inputs: set.inputs().to_vec(),
-        models: told::models(&done, set.colmap()).into_iter().chain(measure).collect(),
+        inputs: inputs.cloned().collect(),
+        models: told::models(&done.report.device, set.colmap()).into_iter().chain(measure).collect(),
         params: told::params(args, &options, &set, &done, placed.as_ref())
             .into_iter()
+            .chain(cut.iter().flat_map(parts::of_run))
             .chain(stored.iter().flat_map(store::Stored::params))
             .chain(meshed.iter().flat_map(tiles::Tiled::params))
             .collect(),
@@ -418,32 +444,6 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
 fn ground_and_objects(done: &Scene, ground: &Ground) -> [(&'static str, splat::Gaussians); 2] {
     let of = |wanted: bool| done.gaussians.filtered(|i| i < ground.near && ground.is_ground[i] == wanted);
     [("ground.ply", of(true)), ("objects.ply", of(false))]
-}
-
-/// Says what the run takes.
-fn plan(args: &Train, set: &Set, cost: &Cost, most: usize, engine: splat::Engine) -> Result<u8> {
-    let photos = cost.photos.max(1) as f64;
-    let job = Job {
-        photos: cost.photos,
-        pixels: cost.pixels as f64 / photos,
-        file_pixels: set.pixels(u32::MAX)? as f64 / photos,
-        longest_side: args.size,
-        gaussians: most,
-        steps: args.iterations as usize,
-        blocks: args.large.blocks.map_or(1, |n| n as usize),
-        on_gpu: cost.on_gpu,
-        store_models: args.format.contains(&SceneFormat::Cdb).then_some(args.models as usize),
-    };
-    let planned = scene::plan::plan(&job, &scene::plan::speed(engine)?);
-    let mut words = planned.words(&job);
-    if let Some(free) = cost.free.map(|free| (free as f64 * 0.7) as u64).filter(|free| planned.memory > *free) {
-        words += &match scene::plan::blocks_within(&Job { blocks: 1, ..job }, free) {
-            Some(n) if n > 1 => format!("  this machine has less memory free: --blocks {n} fits it\n"),
-            _ => "  this machine has less memory free: choose a smaller --size or --max-gaussians\n".into(),
-        };
-    }
-    super::write_out(&words);
-    Ok(0)
 }
 
 impl Placed {

@@ -8,7 +8,7 @@ use super::{Labels, format_error};
 use crate::Result;
 use crate::geo::{Enu, Geodetic};
 use crate::photos::register::Registration;
-use crate::pipeline::scene::ground::Surface;
+use crate::pipeline::scene::ground::{Against, Surface};
 use crate::pipeline::scene::nadir::Nadir;
 
 /// Most tiles of the finest level of terrain, and of imagery: about 12 MiB of memory each.
@@ -100,7 +100,21 @@ pub fn pixel_of(lod: i8) -> f64 {
     cdb::geocell::DEGREE / 1024.0 / 2f64.powi(lod.into())
 }
 
-/// The files of terrain and imagery that a store gets.
+/// Terrain that is known around a surface: the height above the ellipsoid at a latitude and longitude.
+pub type Around<'a> = &'a dyn Fn(f64, f64) -> Option<f64>;
+
+/// Lets the terrain around a surface say what lies in its holes; what the two differ by, in the surface's unit.
+pub fn fill_from(surface: &mut Surface, earth: &OnEarth, around: Around) -> Option<Against> {
+    let scale = earth.registration.to_enu.scale;
+    surface.fill_with(|at, z| {
+        let here = earth.place(at.as_dvec2().extend(z.into()));
+        Some(z + ((around(here.latitude, here.longitude)? - here.height) / scale) as f32)
+    })
+}
+
+/// The files of terrain and imagery that a store gets. Over the band around the surface what it differs by from the terrain
+/// `around` at the outline's nearest place goes to nothing, so that the terrain's own shape stays; where none is known, the height
+/// of that place goes over into `level`.
 ///
 /// # Errors
 /// What [`cdb::ground::add_patch`] refuses.
@@ -109,6 +123,7 @@ pub fn add_terrain(
     surface: &Surface,
     picture: &Nadir,
     earth: &OnEarth,
+    around: Option<Around>,
     lods: [i8; 2],
     labels: &Labels,
 ) -> Result<Patch> {
@@ -118,8 +133,15 @@ pub fn add_terrain(
     let mut heights = |latitude: f64, longitude: f64| {
         let (at, height) = earth.on(surface, latitude, longitude, level);
         let share = surface.share(at);
-        (share > 0.0).then_some((height, f64::from(share)))
+        let off = || {
+            let around = around.filter(|_| share > 0.0 && share < 1.0)?;
+            let edge = surface.nearest(at);
+            let edge = earth.place(edge.as_dvec2().extend(surface.height(edge).into()));
+            Some(around(latitude, longitude)? - around(edge.latitude, edge.longitude)?)
+        };
+        (share > 0.0).then(|| (height + off().unwrap_or(0.0), f64::from(share)))
     };
+    let mut known = |latitude: f64, longitude: f64| around.and_then(|of| of(latitude, longitude));
     let mut colors = |latitude: f64, longitude: f64| {
         let (at, _) = earth.on(surface, latitude, longitude, level);
         let share = surface.share(at);
@@ -132,7 +154,7 @@ pub fn add_terrain(
         heights: &mut heights,
         colors: &mut colors,
         level,
-        terrain: None,
+        terrain: if around.is_some() { Some(&mut known) } else { None },
         marking: &marking,
     };
     let added = cdb::ground::add_patch(store, patch).map_err(format_error)?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use image::GrayImage;
+use sha2::{Digest, Sha256};
 
 use super::{COLMAP, Folder, PhotosArgs, Sfm, name_of, options};
 use crate::audit::statement::{Input, Param};
@@ -158,15 +159,25 @@ impl Set {
         self.folder.ran.as_ref().map(|r| r.version.as_str())
     }
 
-    /// For the record.
+    /// For the record. The poses' digest is that of one line a photo: its name, rotation (x, y, z, w) and translation
+    /// world→camera, and its camera; whatever file they came from.
     pub fn params(&self) -> Vec<(String, Param)> {
         let mut all = Vec::new();
         if let Some(p) = &self.folder.poses {
             all.push(("poses".into(), Param::Text(record::printable(&p.source))));
+            let mut digest = Sha256::new();
+            p.photos.iter().for_each(|p| digest.update(line_of(p)));
+            all.push(("poses_sha256".into(), Param::Text(hex::encode(digest.finalize()))));
         }
         all.extend(self.folder.ran_params());
         all
     }
+}
+
+/// A pose as digests have it.
+pub fn line_of(p: &Posed) -> String {
+    let (q, t) = (p.rotation.to_array(), p.translation.to_array());
+    format!("{} {q:?} {t:?} {:?}\n", p.name, p.camera)
 }
 
 fn no_poses(folder: &Path) -> Error {

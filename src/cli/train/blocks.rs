@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use crate::cli::photos::Set;
+use super::parts::{self, Standing};
+use crate::cli::photos::{Set, line_of};
 use crate::pipeline::scene::{self, Blocks};
 use crate::splat::train::Kept;
 use crate::{Error, Result};
@@ -18,8 +19,8 @@ pub struct BlocksArgs {
     /// them, to the same bytes. Default: the output's name and .parts.
     #[arg(long, value_name = "DIR", requires = "blocks", help_heading = "Large scenes")]
     pub parts: Option<PathBuf>,
-    /// Train this block alone, from 1, and the coarse scene where --parts has none yet; nothing is published. On several
-    /// machines: the coarse scene first, copied to each.
+    /// Train this block alone, from 1, and the coarse scene where --parts has none yet, each with a record in its folder; nothing is
+    /// published. On several machines: the coarse scene first, copied to each.
     #[arg(long, value_name = "I", requires = "blocks", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Large scenes")]
     pub block: Option<u32>,
     /// Say what the run takes in memory, time and disk, and end.
@@ -28,6 +29,23 @@ pub struct BlocksArgs {
 }
 
 impl BlocksArgs {
+    /// Where the parts are kept.
+    pub fn folder(&self, output: &Path) -> PathBuf {
+        self.parts.clone().unwrap_or_else(|| {
+            let mut name = output.file_name().unwrap_or_default().to_os_string();
+            name.push(".parts");
+            output.with_file_name(name)
+        })
+    }
+
+    /// The parts that stand there before the run.
+    ///
+    /// # Errors
+    /// As [`parts::standing`].
+    pub fn standing(&self, output: &Path) -> Result<Vec<Standing>> {
+        self.blocks.map_or(Ok(Vec::new()), |n| parts::standing(&self.folder(output), n as usize))
+    }
+
     /// How the scene is cut, where it is.
     ///
     /// # Errors
@@ -46,14 +64,9 @@ impl BlocksArgs {
                 .found("--blocks")
                 .advice("A run in blocks keeps its checkpoints in --parts and goes on from there by itself."));
         }
-        let folder = self.parts.clone().unwrap_or_else(|| {
-            let mut name = output.file_name().unwrap_or_default().to_os_string();
-            name.push(".parts");
-            output.with_file_name(name)
-        });
         Ok(Some(Blocks {
             count: count as usize,
-            folder,
+            folder: self.folder(output),
             only: self.block.map(|i| i as usize - 1),
             run: run(set, options, held_out, count)?,
         }))
@@ -65,10 +78,7 @@ fn run(set: &Set, options: &scene::Options, held_out: &[bool], count: u32) -> Re
     let mut all = Sha256::new();
     all.update(env!("CARGO_PKG_VERSION"));
     set.inputs().iter().for_each(|i| all.update(format!("{} {} {}\n", i.name, i.role, i.sha256)));
-    for p in &set.poses()?.photos {
-        let (q, t) = (p.rotation.to_array(), p.translation.to_array());
-        all.update(format!("{} {q:?} {t:?} {:?}\n", p.name, p.camera));
-    }
+    set.poses()?.photos.iter().for_each(|p| all.update(line_of(p)));
     let options = scene::Options { kept: Kept::default(), ..options.clone() };
     all.update(format!("{options:?} {held_out:?} {count}"));
     Ok(hex::encode(all.finalize()))

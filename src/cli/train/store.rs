@@ -8,6 +8,7 @@ use orb_formats::File;
 use orb_formats::cdb::{self, Memory, Store};
 
 use super::Placed;
+use super::around::Around;
 use super::ground::Ground;
 use crate::audit::Publication;
 use crate::audit::statement::Param;
@@ -34,6 +35,8 @@ pub struct Stored {
     pub pixel: f64,
     pub band: f64,
     pub level: f64,
+    /// The terrain around it, and by how much the ground lies above it where photos saw it, metres: median, quartiles.
+    pub against: Option<(String, f64, [f64; 2])>,
     /// Models, and bodies that none was made of.
     pub models: usize,
     pub left: usize,
@@ -98,6 +101,8 @@ pub struct How<'a> {
     pub most: usize,
     /// The store to add to; a new one where there is none.
     pub into: Option<&'a Path>,
+    /// Terrain around it.
+    pub around: Option<&'a Around>,
     pub progress: &'a dyn Progress,
     pub say: &'a dyn Fn(&str),
 }
@@ -112,15 +117,22 @@ pub fn publish(
     placed: &Placed,
     labels: &Labels,
     publication: &mut Publication,
-    &How { most, into, progress, say }: &How,
+    &How { most, into, around, progress, say }: &How,
 ) -> Result<Stored> {
     let Ground { near, is_ground, cameras, .. } = ground;
     let surface = ground.surface(done, is_ground)?;
     let scale = placed.registration.to_enu.scale;
     let all = bodies::of(&done.gaussians, *near, is_ground, &surface, (LEAST_HEIGHT / scale) as f32);
     let chosen = &all[..all.len().min(most)];
-    let surface = ground.surface(done, &bodies::cleared(is_ground, chosen))?;
+    let mut surface = ground.surface(done, &bodies::cleared(is_ground, chosen))?;
     let earth = OnEarth::new(&placed.registration);
+    let height = |latitude: f64, longitude: f64| around.and_then(|a| a.height(latitude, longitude));
+    let known: Option<export::Around> = if around.is_some() { Some(&height) } else { None };
+    let against = around.and_then(|a| {
+        let found = export::fill_from(&mut surface, &earth, &height)?;
+        let metres = |v: f32| f64::from(v) * scale;
+        Some((a.name.clone(), metres(found.median), found.quartiles.map(metres)))
+    });
     let lods = export::levels(&surface, &earth)?;
     let pixel = (export::pixel_of(lods[1]) / scale) as f32;
     let marking = labels.marking.line();
@@ -162,7 +174,7 @@ pub fn publish(
     let ceiling = ground.ceiling();
     let drawn = seen.filtered(|i| i < *near && seen.positions[i].z < ceiling && !modelled.contains(&i));
     let picture = Nadir::of(&drawn, surface.bounds(), pixel);
-    let patch = export::add_terrain(&grown, &surface, &picture, &earth, lods, labels)?;
+    let patch = export::add_terrain(&grown, &surface, &picture, &earth, known, lods, labels)?;
     patch.notes.iter().for_each(|n| say(n));
     grown.take(patch.files);
     grown.publish(&labels.stem, &folders, publication)?;
@@ -176,6 +188,7 @@ pub fn publish(
         pixel: metres(surface.pixel),
         band: metres(surface.band),
         level: patch.level,
+        against,
         models,
         left: all.len() - models,
     })
@@ -214,7 +227,7 @@ impl Stored {
         let [terrain, imagery] = self.lods;
         format!(
             "{}: {} models{}; {:.0} m² of ground seen, {:.0} % of it measured, the rest filled in; terrain to LOD {terrain} ({:.2} m), \
-             imagery to LOD {imagery} ({:.2} m); over {:.1} m around it into {:.2} m above the ellipsoid (invented)",
+             imagery to LOD {imagery} ({:.2} m); over {:.1} m around it into {}{:.2} m above the ellipsoid (invented)",
             self.place,
             self.models,
             if self.left > 0 { format!(", {} more bodies left in the imagery", self.left) } else { String::new() },
@@ -223,8 +236,21 @@ impl Stored {
             export::pixel_of(terrain),
             export::pixel_of(imagery),
             self.band,
+            self.against_words(),
             self.level
         )
+    }
+
+    fn against_words(&self) -> String {
+        match &self.against {
+            None => String::new(),
+            Some((name, median, [low, high])) => format!(
+                "{name}, which lies {:.2} m {} the ground that was seen (median; its quarters {low:.2} to {high:.2}), and where that \
+                 ends ",
+                median.abs(),
+                if *median < 0.0 { "above" } else { "below" },
+            ),
+        }
     }
 
     /// For the record.
@@ -239,6 +265,20 @@ impl Stored {
             ("terrain_cell_m".into(), text(format!("{:.4}", self.cell))),
             ("terrain_band_m".into(), text(format!("{:.3}", self.band))),
             ("terrain_around_m".into(), text(format!("{:.3} (invented)", self.level))),
+            (
+                "terrain_around_from".into(),
+                text(match &self.against {
+                    None => "nothing".into(),
+                    Some((name, ..)) => crate::audit::record::printable(name),
+                }),
+            ),
+            (
+                "terrain_above_around_m".into(),
+                text(match &self.against {
+                    None => "unknown".into(),
+                    Some((_, median, [low, high])) => format!("{median:.3} (quarters {low:.3} to {high:.3})"),
+                }),
+            ),
             ("models".into(), Param::Int(self.models as i64)),
             ("bodies_left_in_imagery".into(), Param::Int(self.left as i64)),
             ("photo_pixel_on_ground_m".into(), text(format!("{:.4}", self.pixel))),
@@ -250,6 +290,7 @@ impl Stored {
         serde_json::json!({
             "place": self.place, "terrain_lod": self.lods[0], "imagery_lod": self.lods[1], "area_m2": self.area, "measured_share": self.measured,
             "models": self.models, "bodies_left_in_imagery": self.left, "cell_m": self.cell, "photo_pixel_m": self.pixel, "band_m": self.band, "around_ellipsoidal_height_m": self.level,
+            "around": self.against.as_ref().map(|(name, median, quartiles)| serde_json::json!({"file": name, "ground_above_it_m": median, "quartiles_m": quartiles})),
         })
     }
 }

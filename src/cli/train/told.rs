@@ -16,7 +16,7 @@ use crate::photos::reprojection::Reprojection;
 use crate::pipeline::scene::{Cost, Errors, From, Options, Scene, Scores};
 
 /// What ran: the optimisation; COLMAP, where it did.
-pub fn models(done: &Scene, colmap: Option<&str>) -> Vec<Model> {
+pub fn models(device: &str, colmap: Option<&str>) -> Vec<Model> {
     let program = |id: &str, version: &str, runtime: &str, source: &str| Model {
         status: None,
         version: Some(version.into()),
@@ -24,7 +24,7 @@ pub fn models(done: &Scene, colmap: Option<&str>) -> Vec<Model> {
         pin_source: Some(source.into()),
         ..record::model_not_used(id)
     };
-    let own = program("orb-splat-core", env!("CARGO_PKG_VERSION"), &done.report.device, "built-in");
+    let own = program("orb-splat-core", env!("CARGO_PKG_VERSION"), device, "built-in");
     let colmap = match colmap {
         None => record::model_not_used("colmap"),
         Some(version) => program("colmap", version, "cpu", "program of this machine"),
@@ -46,6 +46,23 @@ fn begun(done: &Scene) -> String {
     }
 }
 
+/// For the record: what the user asked for.
+pub fn settings(args: &Train, options: &Options, set: &Set) -> BTreeMap<String, Param> {
+    let text = |v: String| Param::Text(v);
+    let mut all = BTreeMap::from([
+        ("seed".into(), text(args.seed.to_string())),
+        ("strategy".into(), text(strategy(args).into())),
+        ("iterations_planned".into(), Param::Int(options.iterations as i64)),
+        ("max_gaussians".into(), Param::Int(options.max_gaussians as i64)),
+        ("longest_side_px".into(), Param::Int(options.longest_side.into())),
+        ("exposure_compensated".into(), Param::Bool(options.exposure)),
+        ("photos_masked".into(), Param::Int(set.mask_count() as i64)),
+        ("split".into(), text(set.split_words(args.test_every as usize))),
+    ]);
+    all.extend(set.params());
+    all
+}
+
 /// For the record.
 pub fn params(
     args: &Train,
@@ -56,24 +73,17 @@ pub fn params(
 ) -> BTreeMap<String, Param> {
     let text = |v: String| Param::Text(v);
     let r = &done.report;
-    let mut all = BTreeMap::from([
-        ("seed".into(), text(args.seed.to_string())),
+    let mut all = settings(args, options, set);
+    all.extend([
         ("device".into(), text(r.device.clone())),
-        ("strategy".into(), text(strategy(args).into())),
-        ("iterations_planned".into(), Param::Int(options.iterations as i64)),
         ("iterations_run".into(), Param::Int(r.iterations as i64)),
-        ("max_gaussians".into(), Param::Int(options.max_gaussians as i64)),
         ("gaussians".into(), Param::Int(done.gaussians.len() as i64)),
         ("gaussians_of_the_sky".into(), Param::Int(done.sky as i64)),
         ("begun_from".into(), text(begun(done))),
-        ("longest_side_px".into(), Param::Int(options.longest_side.into())),
-        ("exposure_compensated".into(), Param::Bool(options.exposure)),
         ("poses_refined".into(), Param::Bool(done.refined.is_some())),
         ("background".into(), text(format!("{:?}", done.behind))),
         ("photos_trained_on".into(), Param::Int(done.trained.photos as i64)),
         ("photos_held_out".into(), Param::Int(done.held_out.photos as i64)),
-        ("photos_masked".into(), Param::Int(set.mask_count() as i64)),
-        ("split".into(), text(set.split_words(args.test_every as usize))),
         ("up_from".into(), text(done.up_by.label().into())),
         ("world_to_unit".into(), text(done.to_unit.to_string())),
     ]);
@@ -121,7 +131,6 @@ pub fn params(
         let more = more.into_iter().chain(receivers);
         all.extend(more.map(|(k, v)| (k.to_owned(), text(record::printable(&v)))));
     }
-    all.extend(set.params());
     all
 }
 

@@ -13,7 +13,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cells::Cell;
-use part::{Head, Part};
+use part::Part;
+pub use part::{Head, head};
 
 use super::{
     Begun, Clock, Drawers, From, NONE, Options, Pictures, Report, Role, Scene, Scores, Source, View, begin, cameras,
@@ -28,8 +29,18 @@ use crate::splat::train::{Kept, Region, Saved, train_kept};
 use crate::splat::{self, Camera, Gaussians};
 use crate::{Error, Result};
 
+/// The folder of the coarse scene, and the files in it and in that of each block.
+pub const COARSE: &str = "coarse";
+pub const PART_FILE: &str = "gaussians.part";
+pub const CHECKPOINT_FILE: &str = "run.ckpt";
+
+/// The folder of a block, from 0.
+pub fn name(block: usize) -> String {
+    format!("block_{:03}", block + 1)
+}
+
 /// The coarse scene has at most this part of the Gaussians that one training may have.
-const COARSE: usize = 2;
+const COARSE_PART: usize = 2;
 /// Photos that are read at a time to be measured.
 const PORTION: usize = 32;
 
@@ -120,7 +131,7 @@ pub fn fit(
     let mut parts = Vec::new();
     for (i, cell) in cells.iter().enumerate().filter(|(i, _)| blocks.only.is_none_or(|only| only == *i)) {
         progress.check()?;
-        let path = run.file(&format!("block_{:03}", i + 1));
+        let path = run.file(&name(i));
         let what = format!("block {} of {}", i + 1, blocks.count);
         let part = match Part::read(&path, &blocks.run, &what)? {
             Some(part) => {
@@ -212,7 +223,7 @@ fn mean_sky(before: &Gaussians, blocks: &[Gaussians]) -> Gaussians {
 
 impl Run<'_> {
     fn file(&self, name: &str) -> PathBuf {
-        self.blocks.folder.join(name).join("gaussians.part")
+        self.blocks.folder.join(name).join(PART_FILE)
     }
 
     fn is_held_out(&self, photo: usize) -> bool {
@@ -221,7 +232,7 @@ impl Run<'_> {
 
     /// Kept beside the part; a run that was stopped goes on.
     fn kept(&self, part: &Path) -> Result<(Kept, PathBuf)> {
-        let file = part.with_file_name("run.ckpt");
+        let file = part.with_file_name(CHECKPOINT_FILE);
         let from = if file.exists() { Some(Saved::read(&file)?) } else { None };
         Ok((Kept { file: Some(file.clone()), every: self.options.kept.every, from }, file))
     }
@@ -251,13 +262,13 @@ impl Run<'_> {
     }
 
     fn coarse(&self) -> Result<(Part, Option<Report>)> {
-        let path = self.file("coarse");
-        if let Some(part) = Part::read(&path, &self.blocks.run, "coarse")? {
+        let path = self.file(COARSE);
+        if let Some(part) = Part::read(&path, &self.blocks.run, COARSE)? {
             return Ok((part, None));
         }
         let options = Options {
             longest_side: coarse_side(self.options.longest_side, self.blocks.count),
-            max_gaussians: (self.options.max_gaussians / COARSE).max(100),
+            max_gaussians: (self.options.max_gaussians / COARSE_PART).max(100),
             ..self.options.clone()
         };
         let all: Vec<usize> = (0..self.cameras.len()).collect();
@@ -272,7 +283,7 @@ impl Run<'_> {
         let (gaussians, sky) = sky::last(done.gaussians, self.extent);
         let head = Head {
             run: self.blocks.run.clone(),
-            what: "coarse".into(),
+            what: COARSE.into(),
             gaussians: gaussians.len(),
             sky,
             photos,

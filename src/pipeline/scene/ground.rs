@@ -5,6 +5,7 @@
 //! more than the slope explains is no ground → the ground's heights there from around → a Gaussian that lies close to them is
 //! ground. Lengths in the unit of the Gaussians, Z up.
 
+mod expected;
 mod membrane;
 mod smooth;
 mod surface;
@@ -12,8 +13,9 @@ mod surface;
 use glam::Vec3;
 
 use crate::splat::Gaussians;
+pub use expected::{Expected, expected};
 pub use membrane::fill;
-pub use surface::Surface;
+pub use surface::{Against, Surface};
 
 /// How ground is told from what stands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,8 @@
 //! What a run takes, said before it begins: memory, time, disk, from the number of photos, their size, the Gaussians, the
 //! steps and the blocks. What is assumed is named here; nothing is asked of a machine but its speed.
 
+mod meshes;
+
 use super::blocks::coarse_side;
 use super::cost::{Cost, gib};
 use crate::Result;
@@ -9,6 +11,8 @@ use crate::splat::render::Shown;
 use crate::splat::train::random::Random;
 use crate::splat::{self, Camera, Engine, Gaussians, Target};
 use glam::Vec3;
+
+pub use meshes::{Meshes, ground as ground_seen};
 
 /// What is to be done.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +32,8 @@ pub struct Job {
     pub on_gpu: bool,
     /// Where a CDB store is made: models in it at most.
     pub store_models: Option<usize>,
+    /// Where meshes of the whole scene are made.
+    pub meshes: Option<Meshes>,
 }
 
 /// Seconds of this machine.
@@ -39,6 +45,8 @@ pub struct Speed {
     pub gaussian: f64,
     /// For every pixel of a file that is read.
     pub read: f64,
+    /// Threads that work at once.
+    pub cores: usize,
 }
 
 /// A block's photos: so many times what its part of the ground has of them (assumed: an oblique photo shows several cells).
@@ -82,13 +90,30 @@ pub struct Plan {
     pub seconds_of_a_block: f64,
     /// At the end, at most.
     pub gaussians: usize,
-    /// Of the disk, at most: the CDB store's.
+    /// Of the disk, at most: the CDB store's, the meshes'.
     pub store: u64,
+    pub meshes: u64,
+    /// Tiles of the finest level of them.
+    pub tiles: usize,
 }
 
 /// What a job takes at a speed.
 pub fn plan(job: &Job, speed: &Speed) -> Plan {
-    let plan = trained(job, speed);
+    let plan = with_store(job, trained(job, speed));
+    let Some(meshes) = &job.meshes else { return plan };
+    let taken = meshes.taken(job.photos, job.pixels, plan.gaussians, plan.memory, speed);
+    // One after the other.
+    Plan {
+        memory: plan.memory.max(taken.memory),
+        disk: plan.disk + taken.disk,
+        seconds: plan.seconds + taken.seconds,
+        meshes: taken.disk,
+        tiles: taken.tiles,
+        ..plan
+    }
+}
+
+fn with_store(job: &Job, plan: Plan) -> Plan {
     let Some(models) = job.store_models else { return plan };
     let store = STORE_TILES * STORE_TILE + models as u64 * STORE_MODEL;
     // After the training, whose photos are gone; the store is written from memory.
@@ -102,7 +127,7 @@ pub fn plan(job: &Job, speed: &Speed) -> Plan {
     }
 }
 
-/// Without a store.
+/// Without a store and meshes.
 fn trained(job: &Job, speed: &Speed) -> Plan {
     let blocks = job.blocks.max(1);
     let cost = |photos: f64, pixels: f64| Cost {
@@ -128,6 +153,8 @@ fn trained(job: &Job, speed: &Speed) -> Plan {
             seconds_of_a_block: 0.0,
             gaussians: job.gaussians,
             store: 0,
+            meshes: 0,
+            tiles: 0,
         };
     }
     let shrink = f64::from(coarse_side(job.longest_side, blocks)) / f64::from(job.longest_side.max(1));
@@ -151,12 +178,14 @@ fn trained(job: &Job, speed: &Speed) -> Plan {
         seconds_of_a_block,
         gaussians: end,
         store: 0,
+        meshes: 0,
+        tiles: 0,
     }
 }
 
 /// The fewest blocks with which a job fits so much memory; `None` where none do: the coarse scene's photos alone are too many.
 pub fn blocks_within(job: &Job, bytes: u64) -> Option<usize> {
-    let still = Speed { step: 0.0, pixel: 0.0, gaussian: 0.0, read: 0.0 };
+    let still = Speed { step: 0.0, pixel: 0.0, gaussian: 0.0, read: 0.0, cores: 1 };
     let fits = |blocks: usize| plan(&Job { blocks, ..*job }, &still).memory <= bytes;
     [1].into_iter().chain((1..14).map(|k| 1usize << k)).find(|b| fits(*b))
 }
@@ -179,7 +208,7 @@ pub fn speed(engine: Engine) -> Result<Speed> {
     let pixel = ((wide - small) / f64::from(384 * 384 - 128 * 128)).max(1e-10);
     let gaussian = ((full - small) / 36_000.0).max(1e-10);
     let step = (small - pixel * f64::from(128 * 128) - gaussian * 4000.0).max(0.0);
-    Ok(Speed { step, pixel, gaussian, read: READ })
+    Ok(Speed { step, pixel, gaussian, read: READ, cores: rayon::current_num_threads() })
 }
 
 /// Gaussians on ground side by side, and a picture of it.
@@ -242,6 +271,10 @@ impl Plan {
         if let Some(models) = job.store_models {
             out += &format!(", of it {} at most for the CDB store with up to {models} models", gib(self.store));
         }
+        if job.meshes.is_some() {
+            let of_it = if job.store_models.is_some() { " and" } else { ", of it" };
+            out += &format!("{of_it} about {} for meshes in {} tiles and coarser ones", gib(self.meshes), self.tiles);
+        }
         out.push('\n');
         out + &format!("  result  at most {} Gaussians\n", self.gaussians)
     }
@@ -251,7 +284,7 @@ impl Plan {
 mod tests {
     use super::*;
 
-    const SPEED: Speed = Speed { step: 1e-3, pixel: 1e-7, gaussian: 3e-7, read: READ };
+    const SPEED: Speed = Speed { step: 1e-3, pixel: 1e-7, gaussian: 3e-7, read: READ, cores: 2 };
 
     fn job(photos: usize, blocks: usize) -> Job {
         Job {
@@ -264,6 +297,7 @@ mod tests {
             blocks,
             on_gpu: false,
             store_models: None,
+            meshes: None,
         }
     }
 

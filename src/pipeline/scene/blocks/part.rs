@@ -47,6 +47,21 @@ impl Head {
     }
 }
 
+/// What a part's file says of itself; `None` for another file.
+pub fn head(file: &[u8]) -> Option<Head> {
+    match whole_file::of(file.to_vec(), KIND) {
+        Found::Whole(bytes) => split(&bytes).map(|(head, _)| head),
+        Found::Other | Found::Damaged => None,
+    }
+}
+
+/// The head, and what follows.
+fn split(bytes: &[u8]) -> Option<(Head, &[u8])> {
+    let (length, rest) = bytes.split_first_chunk()?;
+    let (head, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;
+    Some((serde_json::from_slice(head).ok()?, rest))
+}
+
 impl Part {
     /// # Errors
     /// Environment: it cannot be written; an older file then still stands.
@@ -106,9 +121,7 @@ impl Part {
     }
 
     fn parse(bytes: &[u8]) -> Option<Part> {
-        let (length, rest) = bytes.split_first_chunk()?;
-        let (head, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;
-        let head: Head = serde_json::from_slice(head).ok()?;
+        let (head, rest) = split(bytes)?;
         if head.gaussians.checked_mul(256)? != rest.len() || head.sky > head.gaussians {
             return None;
         }
@@ -149,6 +162,8 @@ mod tests {
             assert!(e.kind == Kind::Usage && e.to_string().contains("--parts"), "{e}");
         }
         let whole = std::fs::read(&path).unwrap();
+        assert_eq!(head(&whole), Some(part.head.clone()));
+        assert_eq!((head(&whole[..50]), head(b"ply\n")), (None, None));
         for (bytes, kind) in [(&whole[..50], Kind::Integrity), (b"ply\n", Kind::Usage)] {
             std::fs::write(&path, bytes).unwrap();
             assert_eq!(Part::read(&path, "ab", "coarse").unwrap_err().kind, kind);

@@ -16,7 +16,7 @@ use crate::splat::{Camera, Gaussians};
 const PHOTOS: usize = 3;
 /// And not farther from them than so many times the distance within which photos have a quarter of what they see, in the
 /// median.
-const FAR: f32 = 1.5;
+pub(super) const FAR: f32 = 1.5;
 /// Nor flatter: sine of the elevation.
 const LEAST_SINE: f32 = 0.08;
 /// Gaussians that photos are asked for, at most.
@@ -48,6 +48,8 @@ const BAND_CELLS: f32 = 8.0;
 pub struct Surface {
     /// Row by row from the least y.
     heights: Vec<f32>,
+    /// Cells that photos saw; the others are filled in.
+    known: Vec<bool>,
     columns: usize,
     /// The first cell's lower corner.
     from: Vec2,
@@ -63,6 +65,13 @@ pub struct Surface {
     pub pixel: f32,
 }
 
+/// By how much ground that photos saw lies above terrain that is known otherwise, over its cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Against {
+    pub median: f32,
+    pub quartiles: [f32; 2],
+}
+
 impl Surface {
     /// `ground` and `terrain`: as [`super::separated`] found them; `cameras`: of the photos trained on. `None` where no place
     /// is seen well enough.
@@ -70,6 +79,7 @@ impl Surface {
         let side = FINER * terrain.side;
         let mut all = Surface {
             heights: Vec::new(),
+            known: Vec::new(),
             columns: side,
             from: Vec2::splat(terrain.from),
             cell: terrain.cell / FINER as f32,
@@ -104,7 +114,31 @@ impl Surface {
         all.inside = inside.iter().filter(|i| **i).count();
         all.measured = inside.iter().zip(&known).filter(|(i, k)| **i && **k).count();
         all.pixel = quantile(seen.iter().zip(&known).filter(|(_, k)| **k).filter_map(|(p, _)| *p).collect(), 2)?;
+        all.known = known;
         Some(all)
+    }
+
+    /// Lets terrain that is known otherwise say what lies where no photo saw the ground: its shape there, moved up or down by what
+    /// the two differ by around, filled in as a membrane. `terrain`: its height at a place whose height here is given. `None` where
+    /// it says nothing of the ground that was seen; nothing changes then.
+    pub fn fill_with(&mut self, terrain: impl Fn(Vec2, f32) -> Option<f32>) -> Option<Against> {
+        let near = |i: &usize| self.beyond(self.middle(*i)).0 <= 2.0 * self.cell;
+        let cells: Vec<usize> = (0..self.heights.len()).filter(near).collect();
+        let there: Vec<(usize, f32)> =
+            cells.iter().filter_map(|i| Some((*i, terrain(self.middle(*i), self.heights[*i])?))).collect();
+        let (mut off, mut known) = (vec![0.0; self.heights.len()], vec![false; self.heights.len()]);
+        for (i, z) in there.iter().filter(|(i, _)| self.known[*i]) {
+            (off[*i], known[*i]) = (self.heights[*i] - z, true);
+        }
+        let mut all: Vec<f32> = (0..off.len()).filter(|i| known[*i]).map(|i| off[i]).collect();
+        all.sort_unstable_by(f32::total_cmp);
+        let at = |share: f64| all.get((share * all.len() as f64) as usize).copied();
+        let against = Against { median: at(0.5)?, quartiles: [at(0.25)?, at(0.75)?] };
+        membrane::fill(&mut off, &known, self.columns);
+        for (i, z) in there.iter().filter(|(i, _)| !self.known[*i]) {
+            self.heights[*i] = z + off[*i];
+        }
+        Some(against)
     }
 
     fn middle(&self, i: usize) -> Vec2 {
@@ -131,6 +165,11 @@ impl Surface {
     /// Whether a place lies inside the outline.
     pub fn holds(&self, p: Vec2) -> bool {
         self.beyond(p).0 == 0.0
+    }
+
+    /// The outline's point that is nearest; inside, the place itself.
+    pub fn nearest(&self, p: Vec2) -> Vec2 {
+        self.beyond(p).1
     }
 
     /// Lowest and highest inside the outline.
@@ -280,7 +319,7 @@ impl Cell {
 }
 
 /// The value that a `share`-th part lies below.
-fn quantile(mut all: Vec<f32>, share: usize) -> Option<f32> {
+pub(super) fn quantile(mut all: Vec<f32>, share: usize) -> Option<f32> {
     all.sort_unstable_by(f32::total_cmp);
     all.get(all.len() / share).copied()
 }
@@ -306,7 +345,10 @@ fn agreeing(cells: &[Option<Cell>], side: usize, seen: &[Option<f32>], step: f32
 /// How far photos are from the nearest quarter of the ground's Gaussians in them: the median over the photos. There are more
 /// where more is seen.
 fn working_distance(cameras: &[Camera], g: &Gaussians, ground: &[bool]) -> f32 {
-    let own: Vec<Vec3> = (0..g.len()).filter(|i| ground[*i]).map(|i| g.positions[i]).collect();
+    distance(cameras, (0..g.len()).filter(|i| ground[*i]).map(|i| g.positions[i]).collect())
+}
+
+pub(super) fn distance(cameras: &[Camera], own: Vec<Vec3>) -> f32 {
     let asked = own.iter().step_by(own.len().div_ceil(ASKED).max(1));
     let distances = |c: &Camera| quantile(asked.clone().filter_map(|p| seen_from(c, *p)).collect(), 4);
     quantile(cameras.iter().filter_map(distances).collect(), 2).unwrap_or(1.0)
@@ -318,7 +360,7 @@ fn seen_from(c: &Camera, p: Vec3) -> Option<f32> {
 }
 
 /// What a pixel of the nearest photo covers at a place that enough photos see.
-fn pixel(cameras: &[Camera], p: Vec3, far: f32) -> Option<f32> {
+pub(super) fn pixel(cameras: &[Camera], p: Vec3, far: f32) -> Option<f32> {
     let sees = |c: &Camera| {
         let up = c.position().z - p.z;
         seen_from(c, p).filter(|d| *d <= far && up >= LEAST_SINE * d).map(|d| d / c.fx)
@@ -328,7 +370,7 @@ fn pixel(cameras: &[Camera], p: Vec3, far: f32) -> Option<f32> {
 }
 
 /// Leaves the largest connected part.
-fn keep_largest(known: &mut [bool], side: usize) {
+pub(super) fn keep_largest(known: &mut [bool], side: usize) {
     let mut part = vec![0u32; known.len()];
     let (mut count, mut best) = (0, (0usize, 0));
     for start in 0..known.len() {
@@ -356,11 +398,11 @@ fn keep_largest(known: &mut [bool], side: usize) {
     known.iter_mut().zip(part).for_each(|(k, p)| *k = p > 0 && p == best.1);
 }
 
-fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
+pub(super) fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
     (0..outline.len()).map(|i| (outline[i], outline[(i + 1) % outline.len()]))
 }
 
-fn area(outline: &[Vec2]) -> f32 {
+pub(super) fn area(outline: &[Vec2]) -> f32 {
     edges(outline).map(|(a, b)| a.perp_dot(b)).sum::<f32>() / 2.0
 }
 

@@ -83,7 +83,7 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
     };
     let mut store = Memory::default();
     store.write(cdb::new_store(&labels.marking.line(), "a test").0);
-    let patch = export::add_terrain(&store, &surface, &picture, &earth, lods, &labels).unwrap();
+    let patch = export::add_terrain(&store, &surface, &picture, &earth, None, lods, &labels).unwrap();
     store.write(patch.files);
     assert_eq!(cdb::check(&store).unwrap(), []);
     assert!(patch.notes[0].contains("invented") && (patch.level - HOME.height).abs() < 1.0, "{}", patch.level);
@@ -183,6 +183,87 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
     eprintln!("colours off by {here:.1} of 255; by {:.1} at best, moved by {:?} m", best.0, best.1);
     assert!(best.1[0].hypot(best.1[1]) <= 0.51, "{best:?}");
     assert!(here < 26.0, "{here}");
+}
+
+/// Terrain that lies three metres below the scene and has hills of its own, but for one side of the place.
+#[test]
+fn the_ground_goes_over_into_terrain_that_is_known_without_a_step() {
+    let s = &*BRIEF;
+    let registration = registered(s);
+    let (mut surface, ..) = measured(s, registration.to_enu.scale as f32);
+    let earth = OnEarth::new(&registration);
+    let wavy = |latitude: f64, longitude: f64| {
+        let e = HOME.local(Geodetic { latitude, longitude, height: HOME.height }.to_ecef());
+        (e.east > -60.0).then(|| HOME.height - 3.0 + 4.0 * (e.east / 25.0).sin() + 3.0 * (e.north / 30.0).cos())
+    };
+    let before = surface.clone();
+    let against = export::fill_from(&mut surface, &earth, &wavy).unwrap();
+    let [median, low, high] =
+        [against.median, against.quartiles[0], against.quartiles[1]].map(|v| f64::from(v) * registration.to_enu.scale);
+    // The place is level: the hills' own heights are what they differ by, besides the three metres.
+    assert!((-4.0..10.0).contains(&median) && low < median && median < high, "{median} {low} {high}");
+    // What was seen stays as it was; of the holes some do not.
+    let grid = |k: usize| Vec2::new((k % 200) as f32, (k / 200) as f32) / 100.0 - 1.0;
+    let moved =
+        (0..200 * 200).map(grid).filter(|p| surface.holds(*p) && surface.height(*p) != before.height(*p)).count();
+    let inside = (0..200 * 200).map(grid).filter(|p| surface.holds(*p)).count();
+    assert!(moved > 0 && moved < inside / 2, "{moved} of {inside}");
+
+    let lods = export::levels(&surface, &earth).unwrap();
+    let picture = Nadir::of(&s.gaussians.filtered(|_| false), surface.bounds(), 0.05);
+    let labels = Labels {
+        stem: "scene".into(),
+        marking: Marking::UNCLASSIFIED,
+        utc: "2026-11-21T04:05:06.789Z".into(),
+        heading_source: "georegistration",
+        scale_source: "georegistration",
+    };
+    let mut store = Memory::default();
+    store.write(cdb::new_store(&labels.marking.line(), "a test").0);
+    let lods = [lods[0], 0];
+    let patch = export::add_terrain(&store, &surface, &picture, &earth, Some(&wavy), lods, &labels).unwrap();
+    assert!(patch.notes.iter().all(|n| !n.contains("invented")), "{:?}", patch.notes);
+    store.write(patch.files);
+    let finest = store.files.keys().filter_map(|path| names::parse(path));
+    let finest: Vec<Tile> =
+        finest.filter(|f| f.dataset == names::ELEVATION && f.tile.lod == lods[0]).map(|f| f.tile).collect();
+    let (mut outside, mut beyond, mut steepest) = (0, 0, 0.0f64);
+    for tile in finest {
+        let (grid, side) = (tiles::elevation_grid(tile), tiles::side(tile.lod) as usize);
+        let heights = tiles::heights(&store, tile, names::ELEVATION, tiles::SELECTOR).unwrap().unwrap();
+        let mut last = 0.0;
+        for (i, height) in heights.iter().enumerate() {
+            let latitude = grid.north - (i / side) as f64 * grid.step_y;
+            let longitude = grid.west + (i % side) as f64 * grid.step_x;
+            let at = |h: f64| Geodetic { latitude, longitude, height: h };
+            let height = f64::from(*height);
+            let place = earth.unit(at(height)).truncate().as_vec2();
+            match wavy(latitude, longitude) {
+                Some(there) if surface.share(place) == 0.0 => {
+                    outside += 1;
+                    assert!((height - there).abs() < 1e-3, "{height} {there}");
+                }
+                // Where it ends: between its own heights and what is invented, as coarse posts that reach over its border say it.
+                None if surface.share(place) == 0.0 => {
+                    beyond += 1;
+                    assert!((-10.1..4.1).contains(&(height - HOME.height)), "{height}");
+                }
+                _ => {}
+            }
+            // From the outline over the band to what is around, where terrain is known.
+            let share = surface.share(place);
+            if i % side > 0 && share.min(last) < 1.0 && wavy(latitude, longitude - 2.0 * grid.step_x).is_some() {
+                let step = grid.step_x * 74_300.0;
+                steepest = steepest.max((height - f64::from(heights[i - 1])).abs() / step);
+            }
+            last = share;
+        }
+    }
+    eprintln!("{moved} of {inside} places filled; {outside} posts outside; steepest {steepest:.2}");
+    assert!(outside > 10_000 && beyond > 1000, "{outside} {beyond}");
+    // The hills rise by 0.3 at most; ten metres over a band of eight are 1.9 where it is steepest. A step of ten metres from one post
+    // to the next would be 17.
+    assert!(steepest < 3.0, "{steepest}");
 }
 
 /// The Earth's curve and the two uprights: a point of the surface is found again from its latitude and longitude.
