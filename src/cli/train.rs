@@ -136,6 +136,10 @@ pub struct Train {
     /// ground, more where the scene is less sure.
     #[arg(long, value_name = "METRES", value_parser = metres)]
     pub mesh_sample: Option<f64>,
+    /// With --refine-poses: where photos have too few points in common, refine poses by the photos alone without trying first whether
+    /// that gains anything.
+    #[arg(long, requires = "refine_poses")]
+    pub refine_untried: bool,
     /// Measure photos held out a second time, their poses fitted to the finished Gaussians; with --refine-poses always.
     #[arg(long)]
     pub fit_held_out: bool,
@@ -287,6 +291,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         random_points: args.init_points as usize,
         exposure: args.exposure,
         refine_poses: args.photos.refine_poses,
+        refine_untried: args.refine_untried,
         fit_held_out: args.fit_held_out,
         background: args.background,
         sky: match args.sky {

@@ -75,6 +75,8 @@ pub struct Options {
     /// Each photo's exposure is learnt.
     pub exposure: bool,
     pub refine_poses: bool,
+    /// By the photos alone without a trial, where the points are too few.
+    pub refine_untried: bool,
     /// Photos held out are measured a second time, their poses fitted to the Gaussians; where poses are refined, always.
     pub fit_held_out: bool,
     pub background: Background,
@@ -96,6 +98,7 @@ impl Default for Options {
             random_points: 100_000,
             exposure: false,
             refine_poses: false,
+            refine_untried: false,
             fit_held_out: false,
             background: Background::Auto,
             sky: Sky::Auto,
@@ -214,6 +217,7 @@ pub fn fit(
     let by = match &adjusted {
         _ if !options.refine_poses => None,
         Some((_, photos)) => Some(By::Points { photos: *photos }),
+        None if options.refine_untried => Some(By::Untried),
         None => Some(refining::tried(fitter, &start, &mut pictures, options.iterations, planned, progress)?),
     };
     let refining = by.map(|by| Refining { common: adjust::common(given, |i| !is_held_out(i)), by });

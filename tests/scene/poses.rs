@@ -39,9 +39,9 @@ fn refined_poses_are_published_and_taken_again() {
     );
 
     disturbed(&b.at("sets/00_site/sparse/0"));
-    let (told, said) = run("out", "480", &["--refine-poses"]);
+    let (told, said) = run("out", "300", &["--refine-poses", "--refine-untried"]);
     let refining = &told["refining"];
-    assert!(refining["by"] == "photos" && refining["trial"]["gain_db"].as_f64().unwrap() > 0.3, "{refining}");
+    assert!(refining["by"] == "photos" && refining["trial"].is_null(), "{refining}");
     let moved = &refining["moved"]["all"];
     assert!(moved["most_deg"].as_f64().unwrap() > 0.2 && moved["most_shift"].as_f64().unwrap() < 0.2, "{moved}");
     assert!(moved["median_deg"].as_f64() < moved["most_deg"].as_f64() && !said.contains("stay as given"), "{said}");

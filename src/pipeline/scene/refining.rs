@@ -26,6 +26,8 @@ pub enum By {
     Points { photos: usize },
     /// Training alone.
     Photos(Trial),
+    /// The same, without a trial.
+    Untried,
     /// Poses stay as given: the trial, where the steps were enough for one.
     Nothing(Option<Trial>),
 }
@@ -143,6 +145,7 @@ impl Refining {
             By::Points { photos } => {
                 format!("{photos} photos by {observations} observations of {points} common points, then by the photos")
             }
+            By::Untried => format!("by the photos alone, untried; {few}"),
             By::Photos(t) => format!("by the photos alone, as {few}; {}", tried(t)),
             By::Nothing(Some(t)) => {
                 format!("poses stay as given: {few}, and the photos alone do not say better ones; {}", tried(t))
@@ -157,7 +160,7 @@ impl Refining {
     pub fn by(&self) -> &'static str {
         match self.by {
             By::Points { .. } => "points",
-            By::Photos(_) => "photos",
+            By::Photos(_) | By::Untried => "photos",
             By::Nothing(_) => "nothing",
         }
     }
@@ -165,7 +168,7 @@ impl Refining {
     pub fn trial(&self) -> Option<&Trial> {
         match &self.by {
             By::Photos(t) | By::Nothing(Some(t)) => Some(t),
-            By::Points { .. } | By::Nothing(None) => None,
+            By::Points { .. } | By::Untried | By::Nothing(None) => None,
         }
     }
 }

@@ -178,17 +178,18 @@ mod tests {
             let sample = Some((metres * to_unit.scale) as f32);
             Meshes { ground, sample }.taken(24, 160_000.0, 50_000, 1 << 28, &SPEED)
         };
-        let [coarse, fine] = [taken(0.1, found), taken(0.05, found)];
+        // Many tiles, so that whole ones say little.
+        let [coarse, fine] = [taken(0.02, found), taken(0.01, found)];
         assert!(fine.tiles > 3 * coarse.tiles && fine.tiles < 5 * coarse.tiles, "{coarse:?} {fine:?}");
         // Eight times the samples; twice the samples of a tile, and the surface that is left.
-        assert!((4.0..9.0).contains(&(fine.seconds / coarse.seconds)), "{coarse:?} {fine:?}");
+        assert!((4.0..10.0).contains(&(fine.seconds / coarse.seconds)), "{coarse:?} {fine:?}");
         assert!(fine.memory > coarse.memory && fine.memory < 3 * coarse.memory, "{coarse:?} {fine:?}");
         // Four times the ground: time and disk with it, memory hardly.
-        let wide = taken(0.1, Expected { area: 4.0 * found.area, size: 2.0 * found.size, ..found });
+        let wide = taken(0.02, Expected { area: 4.0 * found.area, size: 2.0 * found.size, ..found });
         assert!((3.0..5.0).contains(&(wide.disk as f64 / coarse.disk as f64)), "{coarse:?} {wide:?}");
-        assert!(wide.memory < coarse.memory * 3 / 2 && wide.tiles >= 3 * coarse.tiles, "{coarse:?} {wide:?}");
+        assert!(wide.memory < 2 * coarse.memory && wide.tiles >= 3 * coarse.tiles, "{coarse:?} {wide:?}");
         let own = Meshes { ground: found, sample: None }.taken(24, 160_000.0, 50_000, 1 << 28, &SPEED);
         // Two pixels are about a decimetre here.
-        assert!((coarse.tiles..=fine.tiles).contains(&own.tiles), "{own:?} {coarse:?} {fine:?}");
+        assert!((2..coarse.tiles).contains(&own.tiles), "{own:?} {coarse:?} {fine:?}");
     }
 }
