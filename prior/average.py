@@ -1,16 +1,15 @@
 """Average two versions of a network, one trained on from the other: often better on what neither has seen than either.
 
-    python average.py {scene|splat} A.onnx B.onnx WEIGHTS.pt
+    python average.py {scene|detail|splat} A B WEIGHTS.pt
 
-Batch norms are folded in ONNX files, so that the weights of both mean the same. For export.py and evaluate.py.
+A and B: both .onnx, where batch norms are folded, or both .pt of trainings that began alike. For export.py and evaluate.py.
 """
 
 import argparse
 
 import torch
 
-from nets import NETS
-from restore import state_from_onnx
+from nets import NETS, load_weights
 
 
 def main():
@@ -20,8 +19,7 @@ def main():
     parser.add_argument("b")
     parser.add_argument("weights")
     args = parser.parse_args()
-    net = NETS[args.net]()
-    a, b = state_from_onnx(args.a, net), state_from_onnx(args.b, net)
+    a, b = (load_weights(NETS[args.net](), path).state_dict() for path in (args.a, args.b))
     torch.save({name: (a[name] + b[name]) / 2 if a[name].is_floating_point() else a[name] for name in a}, args.weights)
     print(args.weights)
 

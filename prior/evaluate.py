@@ -24,7 +24,6 @@ from PIL import Image
 
 from nets import SceneNet, SplatNet, load_weights
 from pictures import save_sheet
-from restore import state_from_onnx
 from synth.cameras import inverses, look_at, orbit
 
 PHOTO = 512  # pixels; photos are read at this size
@@ -225,11 +224,7 @@ def score_object(folder, scene, splat):
 
 def load(net, path):
     """The network with the weights of a .pt or an .onnx file, this version's or an older one's."""
-    if path.endswith(".onnx"):
-        net.load_state_dict(state_from_onnx(path, net))
-    else:
-        load_weights(net, path)
-    return net.to(DEVICE).eval()
+    return load_weights(net, path).to(DEVICE).eval()
 
 
 def main():

@@ -1,6 +1,9 @@
 """Export trained weights to ONNX: weights stored as int8 or float16, arithmetic in float32.
 
-python export.py SCENE_WEIGHTS.pt SPLAT_WEIGHTS.pt OUT_DIR
+python export.py {scene|detail|splat} WEIGHTS OUT.onnx [--error ERROR_WEIGHTS.pt]
+
+WEIGHTS: .pt of a training, or .onnx of this or an older version. --error: SplatNet's expected error from another training
+(`train.py error`) than all else of it.
 """
 
 import argparse
@@ -11,14 +14,15 @@ import onnx
 import torch
 from onnx import TensorProto, helper, numpy_helper
 
-from nets import SceneNet, SplatNet, load_weights
+from nets import NETS, load_weights
 
 OPSET = 17
 # Smaller tensors (biases, norms) stay float32.
 PACK_FROM = 1024
 
 SCENE_OUTPUTS = ["mask", "inverse_depth", "elevation"]
-SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation", "camera"]
+DETAIL_OUTPUTS = ["mask", "inverse_depth"]
+SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation", "camera", "error"]
 
 
 class Scene(torch.nn.Module):
@@ -33,6 +37,18 @@ class Scene(torch.nn.Module):
         return torch.sigmoid(logits), depth, elevation
 
 
+class Detail(torch.nn.Module):
+    """image [1, 4, 384, 384], photo and rough mask -> mask 0..1, inverse depth, [1, 1, 384, 384] each."""
+
+    def __init__(self, net):
+        super().__init__()
+        self.n = net
+
+    def forward(self, image):
+        logits, depth = self.n(image)
+        return torch.sigmoid(logits), depth
+
+
 class Splat(torch.nn.Module):
     """rgba [1, 4, 128, 128] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
 
@@ -42,7 +58,7 @@ class Splat(torch.nn.Module):
 
     def forward(self, rgba):
         out = self.n(rgba)
-        return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation", "camera"))
+        return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation", "camera", "error"))
 
 
 def pack(path):
@@ -97,19 +113,27 @@ def export(wrapped, example, path, input_name, output_names):
     print(path, os.path.getsize(path), "bytes")
 
 
+# Of each network: what wraps it, and the names of its input and outputs.
+GRAPHS = {
+    "scene": (Scene, "image", SCENE_OUTPUTS),
+    "detail": (Detail, "image", DETAIL_OUTPUTS),
+    "splat": (Splat, "rgba", SPLAT_OUTPUTS),
+}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scene")
-    parser.add_argument("splat")
-    parser.add_argument("out_dir")
+    parser.add_argument("net", choices=sorted(GRAPHS))
+    parser.add_argument("weights")
+    parser.add_argument("out")
+    parser.add_argument("--error", default="")
     args = parser.parse_args()
-    os.makedirs(args.out_dir, exist_ok=True)
-    scene = Scene(load_weights(SceneNet(), args.scene))
-    image = torch.rand(1, 4, SceneNet.SIZE, SceneNet.SIZE)
-    export(scene, image, os.path.join(args.out_dir, "scene.onnx"), "image", SCENE_OUTPUTS)
-    splat = Splat(load_weights(SplatNet(), args.splat))
-    rgba = torch.rand(1, 4, SplatNet.SIZE, SplatNet.SIZE)
-    export(splat, rgba, os.path.join(args.out_dir, "splat.onnx"), "rgba", SPLAT_OUTPUTS)
+    net = load_weights(NETS[args.net](), args.weights)
+    if args.error:
+        learned = torch.load(args.error, map_location="cpu", weights_only=True)
+        net.load_state_dict({k: v.float() for k, v in learned.items() if k.startswith("er.")}, strict=False)
+    wrapper, source, outputs = GRAPHS[args.net]
+    export(wrapper(net), torch.rand(1, 4, net.SIZE, net.SIZE), args.out, source, outputs)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import torch
 import torch.nn.functional as F
 
 from nets import CROP_HALF, CROP_NEARNESS, SplatNet
-from synth.batches import scene_batch, splat_batch
+from synth.batches import detail_batch, scene_batch, splat_batch
 from synth.cameras import fixed
 
 
@@ -36,6 +36,33 @@ def scene_step(net, pool, n):
     figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss, "el_deg": off}
     columns = [
         batch.photo,
+        batch.alpha[:, None],
+        torch.sigmoid(logits)[:, None],
+        (truth[:, None] + 1.5) / 5,
+        (answer[:, None] + 1.5) / 5,
+    ]
+    return loss, figures, columns
+
+
+def detail_step(net, pool, n, masks):
+    """As `scene_step`, for DetailNet; `masks`: `synth.batches.detail_batch`."""
+    batch = detail_batch(pool, n, masks)
+    with torch.autocast("cuda", torch.bfloat16):
+        logits, depth = net(torch.cat([batch.photo, batch.rough], 1))
+    logits = logits[:, 0].float()
+    truth = normalised_inverse_depth(batch.depth)
+    answer = centred(depth[:, 0].float())
+    depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
+    loss = mask_losses(logits, batch.alpha, batch.shade) + 0.2 * depth_loss + 0.15 * edge_loss
+    figures = {
+        "iou": mask_iou(logits, batch.alpha),
+        "iou_rough": mask_iou(batch.before - 0.5, batch.alpha),
+        "iou_worn": mask_iou(batch.rough[:, 0] - 0.5, batch.alpha),
+        "l_d": depth_loss,
+    }
+    columns = [
+        batch.photo,
+        batch.rough,
         batch.alpha[:, None],
         torch.sigmoid(logits)[:, None],
         (truth[:, None] + 1.5) / 5,
@@ -152,6 +179,34 @@ def splat_step(net, pool, n, heed=None):
     return loss, figures, columns
 
 
+def error_step(net, pool, n):
+    """The loss of SplatNet's expected error alone: what is drawn of it against the error of what is drawn of the colours.
+
+    A pixel's error is the mean absolute difference of sRGB channels between answer and truth, before white and before
+    black, half each. The expected one is blended along the ray as colours are, over coverage.
+    """
+    batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
+    with torch.autocast("cuda", torch.bfloat16):
+        splats = net(batch.rgba)
+    home = splats | brought_home(splats, batch)
+    home["rgb"] = torch.cat([home["rgb"], splats["error"][..., None]], 2)
+    drawn, alpha = render(home, batch.views, batch.lenses, batch.alpha.shape[-1])
+    colour, expected = drawn[:, :, :3].detach(), drawn[:, :, 3:] / alpha.detach().clamp(min=0.02)
+    alpha = alpha.detach()
+    on_black = colour - batch.colour
+    on_white = on_black - (alpha - batch.alpha)
+    error = 0.5 * (on_black.abs() + on_white.abs()).mean(2, keepdim=True)
+    # Textures that the views do not have are no error.
+    weight = alpha * (~batch.empty).float()[:, None, None, None, None]
+    weight[: batch.dressed] = 0
+    loss = (weight * (expected - error) ** 2).sum() / weight.sum().clamp(min=1)
+    middle = (weight * error).sum() / weight.sum().clamp(min=1)
+    variance = (weight * (error - middle) ** 2).sum() / weight.sum().clamp(min=1)
+    figures = {"error": middle, "explained": 1 - loss.detach() / variance.clamp(min=1e-6)}
+    heat = [plane.expand(-1, 3, -1, -1) * 2 for plane in (*error.unbind(1), *(expected * alpha).detach().unbind(1))]
+    return 100 * loss, figures, [batch.rgba[:, :3], *heat]
+
+
 def brought_home(splats, batch):
     """The answer's pos [n, m, 3] and scale [n, m, 3], as large and as far as the truth is.
 
@@ -247,4 +302,4 @@ def view_scores(answer, truth, alpha, truth_alpha, weight):
     return {"psnr_in": psnr(0), "psnr_near": psnr(1), "psnr_far": psnr(far), "iou_far": iou}
 
 
-STEPS = {"scene": scene_step, "splat": splat_step}
+STEPS = {"scene": scene_step, "detail": detail_step, "splat": splat_step, "error": error_step}

@@ -1,9 +1,10 @@
-"""The two built-in networks.
+"""The built-in networks.
 
 `SceneNet` reads a photo and says where its subject is and how deep the scene is.
+`DetailNet` looks again, closely, at the part of the photo with the subject, and draws its mask finely.
 `SplatNet` reads the cropped subject and answers with two Gaussians a pixel.
 
-Both are the same small U-Net with a transformer at its coarsest grid. The attribute names of the modules are the
+All are the same small U-Net with a transformer at its coarsest grid. The attribute names of the modules are the
 parameter names of every checkpoint and of the ONNX files: renaming one breaks them all, so they stay short.
 """
 
@@ -63,8 +64,8 @@ class Block(nn.Module):
 class UNet(nn.Module):
     """Convolutions down to a `grid` x `grid` map, `depth` transformer blocks there, convolutions up again.
 
-    Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). Output: map [B, cout, S, S] and the mean token
-    [B, widths[-1]]. `blocks` is the number of residual blocks a level.
+    Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). Output: map [B, cout, S, S], the mean token
+    [B, widths[-1]] and what the map was made of, [B, widths[0], S, S]. `blocks` is the number of residual blocks a level.
     """
 
     def __init__(self, cin, widths, cout, grid, depth, heads, blocks=2):
@@ -100,7 +101,7 @@ class UNet(nn.Module):
             if i > 0:
                 x = F.interpolate(x, scale_factor=2.0, mode="nearest")
             x = up(torch.cat([x, skips[-1 - i]], 1))
-        return self.head(x), tokens.mean(1)
+        return self.head(x), tokens.mean(1), x
 
 
 def level(cin, width, blocks):
@@ -138,8 +139,40 @@ class SceneNet(nn.Module):
         self.el = head(224, 2)
 
     def forward(self, x):
-        y, mean_token = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
+        y, mean_token, _ = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
         return y[:, :1], y[:, 1:], elevation(self.el(mean_token.float()))
+
+
+class DetailNet(nn.Module):
+    """The photo around its subject and a rough mask [B, 4, 384, 384] -> mask logits and inverse depth, [B, 1, 384, 384] each.
+
+    Photo: sRGB 0..1, with a little of the surroundings. Rough mask: 0..1, `SceneNet`'s. Inverse depth as SceneNet has it.
+    """
+
+    SIZE = 384
+
+    def __init__(self):
+        super().__init__()
+        self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=24, depth=9, heads=7)
+
+    def forward(self, x):
+        y, _, _ = self.net(x * 2 - 1)
+        return y[:, :1], y[:, 1:]
+
+
+class ErrorHead(nn.Module):
+    """From a U-Net's last features [B, features, S, S] and mean token [B, width] to `layers` numbers a pixel, 0..1."""
+
+    def __init__(self, features, width, layers):
+        super().__init__()
+        self.a = nn.Conv2d(features, features, 3, padding=1)
+        self.t = nn.Linear(width, features)
+        self.b = nn.Conv2d(features, features, 3, padding=1)
+        self.c = nn.Conv2d(features, layers, 1)
+
+    def forward(self, x, mean_token):
+        y = F.silu(self.a(x) + self.t(mean_token)[:, :, None, None])
+        return torch.sigmoid(self.c(F.silu(self.b(y))) - 2)
 
 
 class SplatNet(nn.Module):
@@ -151,8 +184,9 @@ class SplatNet(nn.Module):
     (`crop_rays`), so that every pixel's ray is where the subject's surface lies in the canonical frame.
 
     With n = layers * 128 * 128 the answer holds pos [B, n, 3], scale [B, n, 3] (same unit), quat [B, n, 4] (w first),
-    opacity [B, n], rgb [B, n, 3] (0..1), depth [B, 128, 128] (canonical z) of the front layer, camera [B, 4] and
-    elevation [B, 2] (`elevation`).
+    opacity [B, n], rgb [B, n, 3] (0..1), depth [B, 128, 128] (canonical z) of the front layer, camera [B, 4],
+    elevation [B, 2] (`elevation`) and error [B, n]: the colour error to be expected where a view from anywhere shows the
+    Gaussian, 0..1 (`losses.error_step`).
     """
 
     SIZE = 128
@@ -167,13 +201,15 @@ class SplatNet(nn.Module):
         self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=19, heads=8)
         self.el = head(256, 2)
         self.camera = head(256, 4)
+        self.er = ErrorHead(48, 256, layers)
         with torch.no_grad():
             self.net.head.weight *= 0.3
             self.net.head.bias.zero_()
 
     def forward(self, x):
         signed = torch.cat([x[:, :3] * 2 - 1, x[:, 3:] * 2 - 1], 1)
-        y, mean_token = self.net(signed)
+        y, mean_token, features = self.net(signed)
+        error = self.er(features, mean_token).float()
         y = y.float()
         mean_token = mean_token.float()
         batch, _, height, width = y.shape
@@ -201,6 +237,7 @@ class SplatNet(nn.Module):
             "depth": depth[:, 0, 0],
             "camera": camera,
             "elevation": elevation(self.el(mean_token)),
+            "error": error.flatten(1),
         }
 
     def reach(self, x):
@@ -245,19 +282,20 @@ def crop_rays(camera, depth, distance):
     return torch.cat([beside, depth], 2)
 
 
-NETS = {"scene": SceneNet, "splat": SplatNet}
+NETS = {"scene": SceneNet, "detail": DetailNet, "splat": SplatNet}
 
 
 def grown(net, state):
     """`state` of a shallower `net` (fewer transformer blocks, fewer input channels) made to fit, function unchanged.
 
     New blocks are `net`'s own with output projections of zero: they pass their tokens on. New input channels count for
-    nothing. Heads that are new start anew; what they answer beyond what they did is 0.
+    nothing. Heads that are new start anew; what they answer beyond what they did is 0. A finer grid takes its positions
+    between those of the coarser one (SceneNet's weights for DetailNet), and its last input is another, so counts for nothing.
     """
     state = dict(state)
     fresh = net.state_dict()
     for name, value in fresh.items():
-        if name.startswith(("el.", "camera.")):
+        if name.startswith(("el.", "camera.", "er.")):
             if name not in state:
                 state[name] = value.clone()
             elif len(state[name]) < len(value):
@@ -271,11 +309,27 @@ def grown(net, state):
             continue
         closes = re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
         state[name] = torch.zeros_like(value) if closes else value.clone()
-    return state
+    if state["net.pos"].shape != fresh["net.pos"].shape:
+        state["net.pos"] = finer(state["net.pos"], fresh["net.pos"].shape[1])
+        state["net.stem.weight"][:, 3:] = 0
+    return {name: state[name] for name in fresh}
+
+
+def finer(positions, tokens):
+    """Positions [1, N, C] of a square grid for one of `tokens` cells."""
+    before, after = math.isqrt(positions.shape[1]), math.isqrt(tokens)
+    grid = positions.reshape(1, before, before, -1).permute(0, 3, 1, 2)
+    grid = F.interpolate(grid, size=(after, after), mode="bicubic", align_corners=False)
+    return grid.flatten(2).transpose(1, 2)
 
 
 def load_weights(net, path):
-    """Load a weights file (state dict) or a training checkpoint (its averaged weights) into `net`."""
+    """Load a weights file (state dict), a training checkpoint (its averaged weights) or an ONNX file into `net`."""
+    if path.endswith(".onnx"):
+        from restore import state_from_onnx  # which needs this module
+
+        net.load_state_dict(state_from_onnx(path, net))
+        return net
     stored = torch.load(path, map_location="cpu", weights_only=True)
     state = stored.get("ema", stored)
     net.load_state_dict({k: v.float() if v.is_floating_point() else v for k, v in state.items()})

@@ -1,6 +1,6 @@
 """Recover PyTorch weights from an exported ONNX file, to evaluate or train on.
 
-    python restore.py {scene|splat} FILE.onnx WEIGHTS.pt [--calibrate]
+    python restore.py {scene|detail|splat} FILE.onnx WEIGHTS.pt [--calibrate]
 
 The export folds every batch norm into the convolution before it, so the restored norms pass their input through and
 only add the folded bias: the same function, but one that training could not go on from, because norms in training
@@ -18,13 +18,13 @@ import torch.nn.functional as F
 from onnx import numpy_helper
 from torch import nn
 
-from export import Scene, Splat
+from export import Detail, Scene, Splat
 from nets import NETS, SplatNet, grown
 
 LAYERS = ("Conv", "MatMul", "Gemm", "LayerNormalization")
 # Which batch norm was folded into a block's convolution a or b.
 NORM_OF = {"a": "n", "b": "m"}
-WRAPPERS = {"scene": Scene, "splat": Splat}
+WRAPPERS = {"scene": Scene, "detail": Detail, "splat": Splat}
 
 
 def module_path(node_name):
@@ -133,14 +133,17 @@ def calibrate(net, inputs):
         norm.bias.copy_(norm.bias + mean)
 
 
-def generated_inputs(which, pool, batches, batch=32):
-    """Inputs of network `which` from the objects of `pool`."""
-    from synth.batches import scene_batch, splat_batch
+def generated_inputs(which, pool, batches, batch=32, masks=None):
+    """Inputs of network `which` from the objects of `pool`; `masks`, for DetailNet: `synth.batches.detail_batch`."""
+    from synth.batches import detail_batch, scene_batch, splat_batch
 
     for _ in range(batches):
         if which == "scene":
             made = scene_batch(pool, batch)
             yield torch.cat([made.photo, made.point], 1)
+        elif which == "detail":
+            made = detail_batch(pool, batch, masks)
+            yield torch.cat([made.photo, made.rough], 1)
         else:
             yield splat_batch(pool, batch, SplatNet.FOV, SplatNet.DIST, views=2).rgba
 

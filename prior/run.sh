@@ -6,7 +6,7 @@
 # SceneNet gets SCENE_GPUS of the GPUs, SplatNet the others. A second call with the same OUT_DIR goes on; TOTAL_SECONDS
 # is the length of the whole schedule. INIT_DIR: where to start from (scene.onnx, splat.onnx of this or an older
 # version). SEED, LR and OPTIONS (more of train.py's) may be set in the environment.
-# Then: python export.py OUT_DIR/scene_weights.pt OUT_DIR/splat_weights.pt OUT_DIR
+# Then: python export.py scene OUT_DIR/scene_weights.pt scene.onnx, and so for splat; DetailNet after SceneNet (README.md).
 set -euo pipefail
 if [ $# -lt 4 ]; then
     sed -n '2,10s/^# \{0,1\}//p' "$0"

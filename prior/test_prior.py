@@ -86,13 +86,16 @@ def test_enumerations_of_the_kernel_are_those_of_the_layout():
 def test_generated_batches_are_finite_and_points_lie_on_subjects():
     torch = pytest.importorskip("torch")
     from nets import SplatNet
-    from synth.batches import make_pool, scene_batch, splat_batch
+    from synth.batches import detail_batch, make_pool, scene_batch, splat_batch
 
     torch.manual_seed(0)
     pool = make_pool(0, 64, 2, "cpu", textures=8)
     scenes = scene_batch(pool, 8, size=64)
     subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
     assert all(torch.isfinite(torch.as_tensor(t)).all() for t in (*scenes, *subjects))
+    closer = detail_batch(pool, 6, lambda x: x[:, 3:], size=96, seen=64)
+    assert all(torch.isfinite(t).all() for t in closer)
+    assert 0 <= closer.rough.min() and closer.rough.max() <= 1
     # A pixel is the subject's or in a shadow, not both at once.
     assert scenes.shade.max() > 0.5
     assert (scenes.shade + scenes.alpha).max() < 1 + 1e-4
@@ -102,7 +105,23 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
     assert (scenes.alpha.flatten(1)[torch.arange(8), at][given] > 0.5).all()
 
 
-@pytest.mark.parametrize("which", ["scene", "splat"])
+def test_the_closer_picture_and_the_cut_out_mask_show_the_same():
+    torch = pytest.importorskip("torch")
+    from synth.batches import cut_out, make_pool, seen_by, staged
+    from synth.cameras import magnified
+
+    torch.manual_seed(1)
+    stage = staged(make_pool(0, 32, 2, "cpu", textures=4), 4, 128)
+    _, whole, _, _ = seen_by(stage, stage.cameras, 128)
+    box = torch.tensor([[20.0, 30, 110, 100], [0, 0, 128, 128], [40, 10, 90, 120], [10, 50, 120, 120]])
+    _, closer, _, _ = seen_by(stage, magnified(stage.cameras, box, 128, 160), 160)
+    cut = cut_out(whole[:, None], box, 128, 160)[:, 0]
+    # The same edges, but for the pixels of the coarser one.
+    assert ((cut > 0.5) != (closer > 0.5)).float().mean() < 0.02
+    assert (closer > 0.5).float().mean() > 0.05
+
+
+@pytest.mark.parametrize("which", ["scene", "detail", "splat"])
 def test_networks_compute_what_the_shipped_files_compute(which):
     torch = pytest.importorskip("torch")
     onnxruntime = pytest.importorskip("onnxruntime")

@@ -1,6 +1,8 @@
-"""Train SceneNet or SplatNet on endless procedural views.
+"""Train SceneNet, DetailNet or SplatNet on endless procedural views.
 
     torchrun --nproc_per_node=N train.py {scene|splat} --seconds 500 [--total 1000] [--init weights.pt]
+    torchrun --nproc_per_node=N train.py detail --rough scene.onnx --init scene.onnx --seconds 500
+    python train.py error --init splat.onnx --seconds 200       # what SplatNet expects of its errors, nothing else of it
 
 Writes DIR/<net>.pt (everything needed to go on), DIR/<net>_weights.pt (averaged weights, float16, for export.py) and
 DIR/<net>.png (the last batch); with a critic also DIR/critic.pt, float16, that another training may begin with. A run that
@@ -38,7 +40,7 @@ SPIKE = 6  # times the usual gradient: such a step is left out
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("net", choices=sorted(NETS))
+    parser.add_argument("net", choices=sorted(STEPS))
     parser.add_argument("--seconds", type=float, default=480, help="length of this run")
     parser.add_argument("--total", type=float, default=0, help="length of the whole schedule, earlier runs included")
     parser.add_argument("--batch", type=int, default=48, help="samples a step and GPU")
@@ -50,6 +52,7 @@ def arguments():
     )
     parser.add_argument("--dir", default="checkpoints")
     parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
+    parser.add_argument("--rough", default="", help="DetailNet: the SceneNet whose masks it makes fine, .onnx")
     parser.add_argument("--critic", type=float, default=0, help="SplatNet: slope of a critic's demand over that of the loss")
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
@@ -105,14 +108,11 @@ def told(path, seconds, total):
         return seconds, total
 
 
-def train(net, optimizer, average, adversary, pool, args, spent, step, rank, world):
+def train(net, take_step, optimizer, average, adversary, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
     model = torch.compile(net) if args.compile else net
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
-    take_step = STEPS[args.net]
-    if adversary:
-        take_step = functools.partial(take_step, heed=adversary.heeded)
     start = logged = kept = time.time()
     seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
@@ -164,15 +164,34 @@ def save(net, average, optimizer, adversary, spent, step, path):
         os.replace(name + ".new", name)
 
 
-def initialised(which, init, pool):
-    """The network `which` on the GPU, with the weights of the file `init` if one is given."""
-    net = NETS[which]()
+def initialised(which, init, pool, masks):
+    """The network that `which` trains on the GPU, with the weights of the file `init` if one is given."""
+    net = NETS["splat" if which == "error" else which]()
     if init.endswith(".onnx"):
         net.load_state_dict(state_from_onnx(init, net))
-        calibrate(net.cuda(), generated_inputs(which, pool, batches=16))
+        if which != "error":
+            calibrate(net.cuda(), generated_inputs(which, pool, batches=16, masks=masks))
     elif init:
         load_weights(net, init)
-    return net.cuda().to(memory_format=torch.channels_last).train()
+    net = net.cuda().to(memory_format=torch.channels_last).train()
+    # The expected error learns when all else is settled.
+    for name, parameter in net.named_parameters():
+        parameter.requires_grad_(name.startswith("er.") == (which == "error"))
+    return net.eval() if which == "error" else net
+
+
+def masks_of(path):
+    """SceneNet's masks of photos and points, by the weights in the ONNX file at `path`."""
+    net = NETS["scene"]()
+    net.load_state_dict(state_from_onnx(path, net))
+    net = net.cuda().to(memory_format=torch.channels_last).eval()
+
+    @torch.no_grad()
+    def masks(x):
+        with torch.autocast("cuda", torch.bfloat16):
+            return torch.sigmoid(net(x)[0].float())
+
+    return masks
 
 
 def main():
@@ -197,9 +216,11 @@ def main():
     first_object = 1_000_000 * (64 * stream + rank + 1)
     pool = make_pool(first_object, args.pool, max(2, args.processes // world))
 
-    net = initialised(args.net, "" if saved else args.init, pool)
+    masks = masks_of(args.rough) if args.net == "detail" else None
+    net = initialised(args.net, "" if saved else args.init, pool, masks)
     average = Average(net)
-    optimizer = torch.optim.AdamW(net.parameters(), lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
+    learning = [p for p in net.parameters() if p.requires_grad]
+    optimizer = torch.optim.AdamW(learning, lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
     adversary = Adversary(args.critic_init) if args.critic and args.net == "splat" else None
     if saved and adversary and "critic" in saved:
         adversary.go_on(saved["critic"])
@@ -211,7 +232,12 @@ def main():
         parameters = sum(p.numel() for p in net.parameters())
         print(f"{args.net}: {parameters / 1e6:.1f} M parameters, {len(pool.prims)} objects, step {step}", flush=True)
 
-    step, spent, columns = train(net, optimizer, average, adversary, pool, args, spent, step, rank, world)
+    take_step = STEPS[args.net]
+    if masks:
+        take_step = functools.partial(take_step, masks=masks)
+    if adversary:
+        take_step = functools.partial(take_step, heed=adversary.heeded)
+    step, spent, columns = train(net, take_step, optimizer, average, adversary, pool, args, spent, step, rank, world)
     if rank == 0:
         save(net, average, optimizer, adversary, spent, step, path)
         save_sheet(columns, path + ".png")

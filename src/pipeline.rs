@@ -267,9 +267,9 @@ pub fn fit(
     }
     progress.begin("mask and depth", 0);
     let cutout = mask.as_ref().or(photo.cutout.as_ref());
-    let graph = engine.load(prior::SCENE.verified()?)?;
-    let mut subject = models::scene::subject(&photo.pixels, cutout, sources.point(), &*graph)?;
-    drop(graph);
+    let networks = models::scene::Networks::built_in(engine)?;
+    let mut subject = models::scene::subject(&photo.pixels, cutout, sources.point(), &networks)?;
+    drop(networks);
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);

@@ -96,9 +96,20 @@ def crop(cameras, alpha, size, fill):
     return out, empty
 
 
+def magnified(cameras, box, seen, size):
+    """Cameras [n, 20] that show of a picture of `seen` pixels the box [n, 4] (left, top, right, bottom) alone, `size` pixels."""
+    out = cameras.clone()
+    zoom = size / (box[:, 2:] - box[:, :2])
+    out[:, FOCAL] *= zoom
+    out[:, CENTRE_X] = (cameras[:, CENTRE_X] - box[:, 0]) * zoom[:, 0]
+    out[:, CENTRE_Y] = (cameras[:, CENTRE_Y] - box[:, 1]) * zoom[:, 1]
+    return out
+
+
 def extent(occupied):
-    """First and last edge, in pixels, of the occupied [n, S] cells; 98.5 and -98.5 where none is."""
-    centres = torch.arange(occupied.shape[1], device=occupied.device) + 0.5
-    low = torch.where(occupied, centres, torch.full_like(centres, 99)).amin(1) - 0.5
-    high = torch.where(occupied, centres, torch.full_like(centres, -99)).amax(1) + 0.5
+    """First and last edge, in pixels, of the occupied [n, S] cells; where none is the first lies after the last."""
+    cells = occupied.shape[1]
+    centres = torch.arange(cells, device=occupied.device) + 0.5
+    low = torch.where(occupied, centres, torch.full_like(centres, cells)).amin(1) - 0.5
+    high = torch.where(occupied, centres, torch.full_like(centres, -cells)).amax(1) + 0.5
     return low, high

@@ -240,7 +240,8 @@ pub fn json(s: &Summary) -> Result<String> {
         .chain(settled)
         .map(|(name, (before, after))| (name.to_owned(), serde_json::json!({"before": before, "after": after})))
         .collect();
-    let built_in = [&prior::SCENE, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
+    let built_in =
+        [&prior::SCENE, &prior::DETAIL, &prior::SPLAT].map(|p| serde_json::json!({"id": p.id, "sha256": p.sha256}));
     let imported = s.done.sources.ran().map(|r| {
         let m = &r.manifest;
         serde_json::json!({"id": m.id, "sha256": m.weights_sha256(), "runtime": r.runtime, "pinned": m.pinned})

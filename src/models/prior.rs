@@ -1,4 +1,4 @@
-//! The weights in the binary: the project's own two networks, trained on procedural scenes only.
+//! The weights in the binary: the project's own networks, trained on procedural scenes only.
 
 use crate::{Error, Result};
 use sha2::{Digest, Sha256};
@@ -22,11 +22,19 @@ pub static SCENE: Weights = Weights {
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
+/// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
+pub static DETAIL: Weights = Weights {
+    id: "orb-detail-net",
+    version: "0.1",
+    sha256: "dc43282acbe5019fa3af02b69cdeb3edb08663daeeba74b40463214739aec55d",
+    onnx: include_bytes!("../../prior/detail.onnx"),
+};
+
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.7",
-    sha256: "706eddadfa52e18b839cbe1d087d9cf2c858321979c68cb56b3de8277bdf30e2",
+    version: "0.7.1",
+    sha256: "47882730d03357c086a03e285d10d0b3811cf9362a043b7953efbf6d7675242c",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
@@ -53,7 +61,7 @@ mod tests {
 
     #[test]
     fn pins_hold() {
-        for weights in [&SCENE, &SPLAT] {
+        for weights in [&SCENE, &DETAIL, &SPLAT] {
             assert_eq!(weights.verified().unwrap().len(), weights.onnx.len());
         }
     }

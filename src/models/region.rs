@@ -134,7 +134,7 @@ pub(crate) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) 
 }
 
 /// A square erosion; beyond the border all counts as inside.
-pub(super) fn eroded(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
+pub(crate) fn eroded(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
     dilated(w, h, radius, |i| !inside(i)).into_iter().map(|outside| !outside).collect()
 }
 

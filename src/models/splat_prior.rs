@@ -379,10 +379,8 @@ mod tests {
         use crate::models::{Engine, Rten, prior, scene};
         let bytes = include_bytes!("../../tests/data/container.jpg");
         let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
-        let subject = {
-            let graph = Rten.load(prior::SCENE.verified().unwrap()).unwrap();
-            scene::subject(&photo.pixels, None, None, &*graph).unwrap()
-        };
+        let networks = scene::Networks::built_in(&Rten).unwrap();
+        let subject = scene::subject(&photo.pixels, None, None, &networks).unwrap();
         let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
         let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
         assert!(

@@ -59,13 +59,13 @@ pub fn search(
     engine: &dyn Engine,
     progress: &dyn Progress,
 ) -> Result<Poses> {
-    let (scene_graph, splat_graph) = (engine.load(prior::SCENE.verified()?)?, engine.load(prior::SPLAT.verified()?)?);
+    let (networks, splat_graph) = (scene::Networks::built_in(engine)?, engine.load(prior::SPLAT.verified()?)?);
     let (mut all, mut notes) = (Vec::new(), Vec::new());
     progress.begin("pose search", 2 * files.len() as u64);
     for (i, file) in files.iter().enumerate() {
         progress.check()?;
         let photo = open(file)?;
-        let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &*scene_graph)
+        let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &networks)
             .and_then(|s| splat_prior::one_view(&photo.pixels, &s, &*splat_graph));
         match made {
             Err(e) if e.kind == Kind::Usage => notes.push(format!("{} is not used: {}", photo.name, e.found)),

@@ -19,7 +19,7 @@ use crate::symmetry::{self, Found};
 /// `colmap`: its version, where it ran.
 pub fn models(outcome: &Outcome, device: &str, colmap: Option<&str>) -> Vec<Model> {
     let mut all = Vec::from(
-        [&prior::SCENE, &prior::SPLAT]
+        [&prior::SCENE, &prior::DETAIL, &prior::SPLAT]
             .map(|p| record::model(p.id, p.version, p.sha256, p.onnx.len() as u64, Rten.name())),
     );
     all.extend(

@@ -78,16 +78,27 @@ impl Canvas<'_> {
         Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation })
     }
 
+    /// `size`² samples of a part of the photo, mirrored beyond its border.
+    pub fn colours(&self, rect: Rect, size: usize) -> Vec<[f32; 3]> {
+        // A large part is as good from the working copy, at a fraction of the time.
+        let (sx, sy) = (self.width as f32 / self.whole.width, self.height as f32 / self.whole.height);
+        let small = Rect { x: rect.x * sx, y: rect.y * sy, width: rect.width * sx, height: rect.height * sy };
+        let enough = small.width.min(small.height) >= 2.0 * size as f32;
+        let (source, rect) = if enough { (self.working, small) } else { (self.photo, rect) };
+        sample_colour(source, rect, size, size, Edge::Mirror)
+    }
+
+    /// A part of the working grid as a part of the photo.
+    pub fn on_photo(&self, part: Rect) -> Rect {
+        let (sx, sy) = (self.whole.width / self.width as f32, self.whole.height / self.height as f32);
+        Rect { x: part.x * sx, y: part.y * sy, width: part.width * sx, height: part.height * sy }
+    }
+
     /// One run: mask and inverse depth as the network gives them, turned back if mirrored.
     fn run(&self, rect: Rect, mirror: bool, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Answer> {
         let side = SIZE as f32;
         let prompt = point.map(|[x, y]| [(x - rect.x) / rect.width * side, (y - rect.y) / rect.height * side]);
-        // A large part is as good from the working copy, at a fraction of the time.
-        let (sx, sy) = (self.width as f32 / self.whole.width, self.height as f32 / self.whole.height);
-        let small = Rect { x: rect.x * sx, y: rect.y * sy, width: rect.width * sx, height: rect.height * sy };
-        let enough = small.width.min(small.height) >= 2.0 * SIZE as f32;
-        let (source, rect) = if enough { (self.working, small) } else { (self.photo, rect) };
-        let pixels = sample_colour(source, rect, SIZE, SIZE, Edge::Mirror);
+        let pixels = self.colours(rect, SIZE);
         let column = |x: usize| if mirror { SIZE - 1 - x } else { x };
         let mut data: Vec<f32> = (0..3)
             .flat_map(|c| (0..SIZE * SIZE).map(move |i| (c, i)))

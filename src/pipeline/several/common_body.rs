@@ -4,8 +4,8 @@ use glam::{DVec3, Vec3};
 
 use super::{ENOUGH_FOR_A_HULL, Options, Role, Used, no_common_subject, tolerated};
 use crate::geo::similarity::Similarity;
+use crate::models::Engine;
 use crate::models::scene::{self, Subject};
-use crate::models::{Engine, prior};
 use crate::photo::Photo;
 use crate::photos::crops::Crop;
 use crate::photos::frame::{self, Ground, UpBy};
@@ -49,7 +49,7 @@ pub fn masked(
 ) -> Result<Masked> {
     let looked_at = frame::looked_at(&poses.photos, &poses.points)
         .ok_or_else(|| no_common_subject("cameras that look at no common point"))?;
-    let graph = engine.load(prior::SCENE.verified()?)?;
+    let networks = scene::Networks::built_in(engine)?;
     let (mut seen, mut photos, mut best) = (Vec::new(), Vec::new(), None::<Best>);
     progress.begin("masks", poses.photos.len() as u64);
     for (index, posed) in poses.photos.iter().enumerate() {
@@ -62,7 +62,7 @@ pub fn masked(
         });
         match at.filter(|[x, y]| (0.0..w as f32).contains(x) && (0.0..h as f32).contains(y)) {
             None => leave_out("its camera does not look at the subject".into()),
-            Some(point) => match scene::subject(&photo.pixels, photo.cutout.as_ref(), Some(point), &*graph) {
+            Some(point) => match scene::subject(&photo.pixels, photo.cutout.as_ref(), Some(point), &networks) {
                 Err(e) if e.kind == crate::Kind::Usage => leave_out(e.found),
                 Err(e) => return Err(e),
                 Ok(subject) => {
