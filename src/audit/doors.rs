@@ -37,7 +37,7 @@ const DOORS: [&str; 24] = [
 ];
 
 /// Who may, and what it is that they write. None but the first three touches a published folder or a store.
-const KEEPERS: [(&str, &str); 38] = [
+const KEEPERS: [(&str, &str); 39] = [
     ("src/audit/publication.rs", "outputs, staged; the door itself"),
     ("src/audit/publication/place.rs", "outputs, put in place once their record stands"),
     ("src/audit/store_merge.rs", "files of a store, put in place once their record stands"),
@@ -59,6 +59,7 @@ const KEEPERS: [(&str, &str); 38] = [
     ("src/cli/batch/task.rs", "a batch's own folder: a shard's lock and log"),
     ("src/cli/bench/run.rs", "the empty folders that the runs to be scored publish in, and their end"),
     ("src/cli/geo/manifest.rs", "the empty folder that results of many photos are published in"),
+    ("src/cli/train/parts.rs", "the empty folder that parts of a scene are published in"),
     ("src/memory.rs", "the kernel's counter of this process's memory"),
     ("src/models/engine/ort.rs", "the folder of TensorRT's engines"),
     ("src/models/registry/import.rs", "imported networks"),
