@@ -1,5 +1,7 @@
 //! `orb serve`: jobs for several people, on a port; and their accounts.
 
+mod database;
+
 use std::ffi::OsString;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -12,9 +14,8 @@ use tokio::sync::Semaphore;
 
 use super::device::Device;
 use super::key::KeyArgs;
-use crate::audit::{DataFolder, Marking, time};
+use crate::audit::{Marking, time};
 use crate::serve::administration::{By, TOKEN_DAYS};
-use crate::serve::database::Database;
 use crate::serve::live::Live;
 use crate::serve::place::Place;
 use crate::serve::recorder::Recorder;
@@ -26,6 +27,7 @@ use crate::serve::viewers::Viewers;
 use crate::serve::{Clock, Limits, Server, api};
 use crate::web::listen;
 use crate::{Error, Result};
+use database::DataArgs;
 
 /// Connections at once.
 const CONNECTIONS: usize = 512;
@@ -140,13 +142,6 @@ impl TlsArgs {
     }
 }
 
-#[derive(Args, Clone, Debug)]
-struct DataArgs {
-    /// Folder of jobs, accounts, key and ledger. Default: the user's data folder, ORB_DATA_DIR.
-    #[arg(long, value_name = "DIR")]
-    data: Option<PathBuf>,
-}
-
 #[derive(Subcommand, Clone, Debug)]
 enum Verb {
     /// Accounts: there are none until one is added here
@@ -205,15 +200,6 @@ enum AccountVerb {
     },
 }
 
-impl DataArgs {
-    fn folder(&self) -> Result<DataFolder> {
-        match &self.data {
-            Some(path) => std::path::absolute(path).map(DataFolder::at).map_err(|e| Error::io(path, &e)),
-            None => DataFolder::from_environment(|name| std::env::var_os(name)),
-        }
-    }
-}
-
 /// Runs the verb. `stop` is set by the interrupt handler.
 pub fn run(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     match &args.verb {
@@ -229,9 +215,13 @@ pub fn run(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
 
 fn account(verb: &AccountVerb) -> Result<u8> {
     use AccountVerb::{Add, Disable, Enable, List, Token};
-    let (Add { data, .. } | List { data, .. } | Disable { data, .. } | Enable { data, .. } | Token { data, .. }) = verb;
-    let data = data.folder()?;
-    let database = Database::open(&Place::open(&data)?.database())?;
+    let (Add { data: args, .. }
+    | List { data: args, .. }
+    | Disable { data: args, .. }
+    | Enable { data: args, .. }
+    | Token { data: args, .. }) = verb;
+    let data = args.folder()?;
+    let (database, _) = args.database(&Place::open(&data)?)?;
     let recorder = Recorder::new(data, "orb serve account", super::argv::caller());
     let now = time::now()?.unix_ms;
     let by = By { database: &database, recorder: &recorder, actor: None, now };
@@ -290,9 +280,11 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     let data = args.data.folder()?;
     let place = Place::open(&data)?;
     let _only = place.lock()?;
+    let (database, kept_in) = args.data.database(&place)?;
+    database.hold()?;
     let clock: Clock = Arc::new(|| time::now().map(|t| t.unix_ms).unwrap_or_default());
     let server = Arc::new(Server {
-        database: Database::open(&place.database())?,
+        database,
         place,
         sessions: Sessions::default(),
         live: Live::default(),
@@ -324,7 +316,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     runner::recover(&server)?;
     let (runtime, listener, bound) = listen::open(args.bind, WAITING, "Choose another with --bind.")?;
     let banner = server.ceiling.banner();
-    let mut about = vec![("max_marking", banner.as_str()), ("tls", args.tls.words())];
+    let mut about = vec![("max_marking", banner.as_str()), ("tls", args.tls.words()), ("database", kept_in.as_str())];
     if let Some(tls) = &tls {
         tls.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
         about.push(("certificate_sha256", &tls.certificate_sha256));
@@ -335,7 +327,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     if server.database.accounts()?.is_empty() {
         eprintln!("orb: there are no accounts yet: orb serve account add NAME --role … --ceiling …");
     }
-    let runner = Runner { program: program()?, options: options(args)? };
+    let runner = Runner { program: program()?, options: options(args)?, secrets: args.data.secrets() };
     std::thread::scope(|threads| {
         threads.spawn(|| runner.work(&server, stop));
         threads.spawn(|| {

@@ -3,6 +3,7 @@
 //! ```text
 //! DIR/serve/serve.sqlite       accounts and jobs
 //! DIR/serve/serve.lock         one server at a time
+//! DIR/serve/name               what the folder is called in a database that is elsewhere
 //! DIR/serve/incoming/ID/       a submission that is being taken in
 //! DIR/serve/jobs/ID/in/        its photo; several in in/set/NAME/, with in/poses/ and in/gcp.csv
 //! DIR/serve/jobs/ID/run-N/out/ what its N-th run published: there whole or not at all
@@ -11,6 +12,7 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use super::random;
 use crate::audit::DataFolder;
 use crate::audit::disk;
 use crate::audit::file_lock::FileLock;
@@ -52,6 +54,34 @@ impl Place {
                 .found(e.to_string())
                 .advice("End the other one, or give this one a folder of its own with --data.")
         })
+    }
+
+    /// The folder's own name, by which a database that is elsewhere knows whose jobs are whose: given once, kept when the
+    /// folder is moved.
+    ///
+    /// # Errors
+    /// Environment; usage where something else stands in the file.
+    pub fn name(&self) -> Result<String> {
+        let path = self.root.join("name");
+        if !path.exists() {
+            let draft = path.with_extension("new");
+            let disk = disk::Disk::default();
+            if draft.exists() {
+                disk.remove_file(&draft)?;
+            }
+            disk.write_new(&draft, hex::encode(random::<16>()?).as_bytes())?;
+            disk.rename(&draft, &path)?;
+            disk.sync_dir(&self.root)?;
+        }
+        let text = fs::read_to_string(&path).map_err(|e| Error::io(&path, &e))?;
+        let name = text.trim();
+        match is_id(name) {
+            true => Ok(name.to_owned()),
+            false => Err(Error::usage(path.display().to_string())
+                .expected("32 hexadecimal digits")
+                .found(format!("{:?}", name.chars().take(40).collect::<String>()))
+                .advice("Put back what stood there: a new name would be another folder's, without these jobs.")),
+        }
     }
 
     pub fn database(&self) -> PathBuf {

@@ -6,6 +6,7 @@ use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 use utoipa::ToSchema;
 
+use super::database::SUBJECT;
 use crate::{Error, Kind};
 
 /// Why a request is refused.
@@ -68,6 +69,10 @@ impl From<Error> for Refusal {
     fn from(error: Error) -> Refusal {
         match error.kind {
             Kind::Usage => Refusal::unusable(error.to_string()),
+            Kind::Environment if error.subject.starts_with(SUBJECT) => {
+                eprintln!("orb: {error}");
+                Refusal::busy("jobs and accounts cannot be read or kept now; the server's log says why")
+            }
             Kind::Policy => Refusal::new(StatusCode::FORBIDDEN, "REFUSED_BY_POLICY", error.to_string()),
             _ => Refusal::internal(&error),
         }

@@ -23,6 +23,8 @@ use crate::{Error, Result};
 
 /// How often a process is looked at.
 const LOOK: Duration = Duration::from_millis(50);
+/// How often the database is asked whether another server was told to cancel its job.
+const ASK: Duration = Duration::from_secs(2);
 /// For a process that was asked to stop.
 const GRACE: Duration = Duration::from_secs(10);
 /// Lines of a process' standard error that are kept, and bytes of its result.
@@ -37,6 +39,8 @@ pub struct Runner {
     pub program: PathBuf,
     /// What every run is told: key, device.
     pub options: Vec<OsString>,
+    /// Variables of this process' environment that no run is told.
+    pub secrets: Vec<String>,
 }
 
 /// What a process came to.
@@ -61,6 +65,12 @@ enum BrokenOff {
 /// # Errors
 /// Environment.
 pub fn recover(server: &Server) -> Result<()> {
+    settle_lost(server)?;
+    server.place.sweep(|id| server.database.job(id).map_or(true, |job| job.is_some()))
+}
+
+/// Jobs of this server's that count as running while none runs.
+fn settle_lost(server: &Server) -> Result<()> {
     for job in server.database.running()? {
         let now = server.now();
         if let Some(ended) = published(server, &job)? {
@@ -70,7 +80,7 @@ pub fn recover(server: &Server) -> Result<()> {
         server.place.remove_run(&job.id, job.attempt)?;
         settle_unfinished(server, &job, "the run was killed", false)?;
     }
-    server.place.sweep(|id| server.database.job(id).map_or(true, |job| job.is_some()))
+    Ok(())
 }
 
 /// A run that left nothing: cancelled, put back, or given up.
@@ -114,13 +124,21 @@ fn stands(statement: &Statement) -> Option<Stands> {
 impl Runner {
     /// Runs jobs until `stop` is set; then the one that runs is put back.
     pub fn work(&self, server: &Arc<Server>, stop: &AtomicBool) {
+        // After an error a job may be noted as running that is not: one that was taken while the answer was lost.
+        let mut unsure = false;
         while !stop.load(Ordering::Relaxed) {
-            match self.next(server, stop) {
-                Ok(true) => {}
-                Ok(false) => server.live.wait_for_work(Duration::from_millis(500)),
+            let settled = if unsure { settle_lost(server) } else { Ok(()) };
+            match settled.and_then(|()| self.next(server, stop)) {
+                Ok(ran) => {
+                    unsure = false;
+                    if !ran {
+                        server.live.wait_for_work(Duration::from_millis(500));
+                    }
+                }
                 Err(e) => {
                     eprintln!("orb: {e}");
-                    // A full disk, most likely. Jobs wait for it.
+                    unsure = true;
+                    // A full disk or a database that does not answer, most likely. Jobs wait for it.
                     server.live.wait_for_work(Duration::from_secs(5));
                 }
             }
@@ -134,7 +152,7 @@ impl Runner {
     pub fn next(&self, server: &Arc<Server>, stop: &AtomicBool) -> Result<bool> {
         let Some(job) = server.database.take(server.now())? else { return Ok(false) };
         server.live.begin(&job.id);
-        let outcome = self.run(server, &job, stop).and_then(|finished| settle(server, &job, finished));
+        let outcome = self.run(server, &job, stop).and_then(|finished| keep(server, &job, &finished, stop));
         if let Err(e) = &outcome {
             eprintln!("orb: job {}: {e}", job.id);
             let _ = settle_unfinished(server, &job, "the run could not be started or kept", false);
@@ -151,7 +169,7 @@ impl Runner {
         let result = read_result(&mut child);
         // Ends with this process, however that ends.
         let input = child.stdin.take();
-        let (status, broken_off) = wait(&mut child, input, server, stop);
+        let (status, broken_off) = wait(&mut child, input, server, &job.id, stop);
         let result = result.and_then(|r| r.join().ok().flatten());
         let _ = errors.map(JoinHandle::join);
         let lines = std::mem::take(&mut *lock(&lines));
@@ -174,6 +192,9 @@ impl Runner {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
+        for name in &self.secrets {
+            command.env_remove(name);
+        }
         #[cfg(unix)]
         {
             use std::os::unix::process::CommandExt as _;
@@ -189,9 +210,11 @@ fn wait(
     child: &mut Child,
     mut input: Option<std::process::ChildStdin>,
     server: &Server,
+    id: &str,
     stop: &AtomicBool,
 ) -> (Option<ExitStatus>, Option<BrokenOff>) {
     let begun = Instant::now();
+    let mut asked = begun;
     let mut broken_off: Option<(BrokenOff, Instant)> = None;
     loop {
         match child.try_wait() {
@@ -203,6 +226,13 @@ fn wait(
             Some((_, since)) if since.elapsed() > GRACE => drop(child.kill()),
             Some(_) => {}
             None => {
+                if asked.elapsed() >= ASK {
+                    asked = Instant::now();
+                    // A database that does not answer is asked again.
+                    if server.database.is_cancelled(id).unwrap_or(false) {
+                        server.live.cancel(id);
+                    }
+                }
                 let why = if server.live.is_cancelled() {
                     Some(BrokenOff::Cancelled)
                 } else if stop.load(Ordering::Relaxed) {
@@ -280,11 +310,25 @@ fn read_result(child: &mut Child) -> Option<JoinHandle<Option<serde_json::Value>
     }))
 }
 
-fn settle(server: &Server, job: &Job, finished: Finished) -> Result<()> {
-    let Finished { status, lines, mut result, broken_off } = finished;
+/// How a run ended stands in the database, once that answers again.
+fn keep(server: &Server, job: &Job, finished: &Finished, stop: &AtomicBool) -> Result<()> {
+    loop {
+        match settle(server, job, finished) {
+            Err(e) if !stop.load(Ordering::Relaxed) && !server.database.answers() => {
+                eprintln!("orb: job {}: {e}", job.id);
+                std::thread::sleep(Duration::from_secs(1));
+            }
+            kept => return kept,
+        }
+    }
+}
+
+fn settle(server: &Server, job: &Job, finished: &Finished) -> Result<()> {
+    let Finished { status, lines, result, broken_off } = finished;
     // However it ended: what stands there was recorded and published.
     if let Some(mut ended) = published(server, job)? {
         // Where on this machine is nobody's business.
+        let mut result = result.clone();
         if let Some(object) = result.as_mut().and_then(|r| r.as_object_mut()) {
             object.remove("folder");
         }

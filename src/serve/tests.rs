@@ -14,19 +14,54 @@ use super::database::State;
 use super::role::Role;
 use super::{api, runner};
 
-mod fixture;
-mod several;
-
 use fixture::*;
 
-#[test]
-fn the_document_and_the_routes_are_one() {
+#[path = "../../tests/cluster/mod.rs"]
+pub(in crate::serve) mod cluster;
+pub(super) mod fixture;
+
+/// Each test once with each database.
+macro_rules! on_both {
+    ($($test:ident),*) => {
+        mod sqlite {
+            $(#[test]
+            fn $test() {
+                super::$test(crate::serve::tests::fixture::On::Sqlite);
+            })*
+        }
+        mod postgres {
+            $(#[test]
+            fn $test() {
+                if crate::serve::tests::cluster::shared().is_some() {
+                    super::$test(crate::serve::tests::fixture::On::Postgres);
+                }
+            })*
+        }
+    };
+}
+
+on_both!(
+    the_document_and_the_routes_are_one,
+    roles,
+    sessions_end_and_are_not_borrowed,
+    wrong_tokens_lock_an_account,
+    a_submission_is_judged_before_it_is_kept,
+    markings_and_ceilings,
+    results_are_found_by_their_names_alone,
+    a_queue_has_an_end_and_jobs_their_order,
+    what_was_running_is_put_back_and_given_up_after_some_times,
+    who_comes_from_elsewhere_gets_no_further
+);
+
+mod several;
+
+fn the_document_and_the_routes_are_one(on: On) {
     let document = serde_json::to_value(api::document()).unwrap();
     assert!(document["openapi"].as_str().unwrap().starts_with("3.1"));
     let all = operations();
     assert!(all.len() >= 20, "{all:?}");
     // What stands in the document is there: nobody is let in, and nothing is not found.
-    let fixture = Fixture::new();
+    let fixture = Fixture::new(on);
     for (method, path) in &all {
         let open = ["GET /health", "POST /api/v1/session"].contains(&format!("{method} {path}").as_str());
         let status = fixture.status(method, path, &nobody());
@@ -46,9 +81,8 @@ fn the_document_and_the_routes_are_one() {
     assert_eq!(others.into_iter().collect::<Vec<_>>(), page);
 }
 
-#[test]
-fn roles() {
-    let fixture = Fixture::new();
+fn roles(on: On) {
+    let fixture = Fixture::new(on);
     let accounts: Vec<(Role, As)> = Role::value_variants()
         .iter()
         .map(|role| (*role, As::from(fixture.account(&role.name(), &role.name(), "SECRET").as_str())))
@@ -87,9 +121,8 @@ fn roles() {
     assert!(fixture.ledger().iter().any(|e| e.starts_with("access.refused failure ROLE account=viewer")));
 }
 
-#[test]
-fn sessions_end_and_are_not_borrowed() {
-    let fixture = Fixture::new();
+fn sessions_end_and_are_not_borrowed(on: On) {
+    let fixture = Fixture::new(on);
     let token = fixture.account("jane", "operator", "SECRET");
     let sign_in = |token: &str| fixture.ask("POST", "/api/v1/session", &nobody(), Some(json!({"token": token})));
     let answer = sign_in(&token);
@@ -146,9 +179,8 @@ fn sessions_end_and_are_not_borrowed() {
     assert!(!ledger.join("").contains(&token[9..30]));
 }
 
-#[test]
-fn wrong_tokens_lock_an_account() {
-    let fixture = Fixture::new();
+fn wrong_tokens_lock_an_account(on: On) {
+    let fixture = Fixture::new(on);
     let token = fixture.account("jane", "viewer", "SECRET");
     let who = As::from(token.as_str());
     let other = if token.as_bytes()[12] == b'A' { 'B' } else { 'A' };
@@ -174,9 +206,8 @@ fn wrong_tokens_lock_an_account() {
     assert!(ledger.contains(&"access.refused failure ACCOUNT_UNKNOWN account= times=1".to_owned()), "{ledger:#?}");
 }
 
-#[test]
-fn a_submission_is_judged_before_it_is_kept() {
-    let fixture = Fixture::with(|l| {
+fn a_submission_is_judged_before_it_is_kept(on: On) {
+    let fixture = Fixture::with(on, |l| {
         l.pixels = 10_000;
         l.upload = 100_000;
         l.photos = 1;
@@ -236,9 +267,8 @@ fn a_submission_is_judged_before_it_is_kept() {
     assert_eq!(answer.status, 422);
 }
 
-#[test]
-fn markings_and_ceilings() {
-    let fixture = Fixture::new();
+fn markings_and_ceilings(on: On) {
+    let fixture = Fixture::new(on);
     let low = As::from(fixture.account("low", "operator,marking-officer", "UNCLASSIFIED").as_str());
     let high = As::from(fixture.account("high", "operator,marking-officer", "SECRET").as_str());
     let top = As::from(fixture.account("top", "operator,marking-officer", "TOP SECRET").as_str());
@@ -271,7 +301,7 @@ fn markings_and_ceilings() {
     let id = fixture.submitted(&high);
     fixture.finish(&[("scene.ply", b"ply")]);
     let lift = "UPDATE job SET marking = 'CUI'";
-    rusqlite::Connection::open(fixture.server.place.database()).unwrap().execute(lift, []).unwrap();
+    assert_eq!(fixture.server.database.change(lift, &[]).unwrap(), 1);
     for path in [
         format!("/api/v1/jobs/{id}"),
         format!("/api/v1/jobs/{id}/files/scene.ply"),
@@ -305,9 +335,8 @@ fn markings_and_ceilings() {
     assert!(all.json()["accounts"].as_array().unwrap().len() == 5 && !all.text().contains("sha256"));
 }
 
-#[test]
-fn results_are_found_by_their_names_alone() {
-    let fixture = Fixture::new();
+fn results_are_found_by_their_names_alone(on: On) {
+    let fixture = Fixture::new(on);
     let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
     let john = As::from(fixture.account("john", "operator", "SECRET").as_str());
     let id = fixture.submitted(&jane);
@@ -364,9 +393,8 @@ fn results_are_found_by_their_names_alone() {
     assert!(ledger.iter().any(|e| e.starts_with("job.delete success account=jane job=")), "{ledger:#?}");
 }
 
-#[test]
-fn a_queue_has_an_end_and_jobs_their_order() {
-    let fixture = Fixture::with(|l| {
+fn a_queue_has_an_end_and_jobs_their_order(on: On) {
+    let fixture = Fixture::with(on, |l| {
         l.queue = 3;
         l.queue_each = 2;
     });
@@ -399,16 +427,15 @@ fn a_queue_has_an_end_and_jobs_their_order() {
         assert_eq!(fixture.status("GET", &format!("/api/v1/jobs?{wrong}"), &jane), 422, "{wrong}");
     }
     // Bytes.
-    let fixture = Fixture::with(|l| l.stored = 3 * photo(64, 64).len() as u64 - 1);
+    let fixture = Fixture::with(on, |l| l.stored = 3 * photo(64, 64).len() as u64 - 1);
     let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
     let submit = || fixture.submit(&jane, &[("origin", "1,2,3")], &[("a.png", &small)]).status.as_u16();
     assert_eq!([submit(), submit(), submit()], [201, 201, 507]);
     assert_eq!(std::fs::read_dir(fixture.server.place.job("")).unwrap().count(), 2);
 }
 
-#[test]
-fn what_was_running_is_put_back_and_given_up_after_some_times() {
-    let fixture = Fixture::new();
+fn what_was_running_is_put_back_and_given_up_after_some_times(on: On) {
+    let fixture = Fixture::new(on);
     let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
     let (first, second) = (fixture.submitted(&jane), fixture.submitted(&jane));
     let server = &fixture.server;
@@ -437,9 +464,8 @@ fn what_was_running_is_put_back_and_given_up_after_some_times() {
     assert_eq!(server.database.job(&second).unwrap().unwrap().state, State::Cancelled);
 }
 
-#[test]
-fn who_comes_from_elsewhere_gets_no_further() {
-    let fixture = Fixture::new();
+fn who_comes_from_elsewhere_gets_no_further(on: On) {
+    let fixture = Fixture::new(on);
     let token = fixture.account("jane", "operator", "SECRET");
     let ask = |method: &str, path: &str, headers: &[(&str, &str)], body: &str| {
         let mut request =

@@ -195,7 +195,7 @@ fn private_key(path: &Path) -> Result<PrivateKeyDer<'static>> {
     })
 }
 
-fn authorities(path: &Path, now: u64) -> Result<RootCertStore> {
+pub(super) fn authorities(path: &Path, now: u64) -> Result<RootCertStore> {
     let mut roots = RootCertStore::empty();
     for der in certificates(path)? {
         let certificate = parse(path, &der)?;

@@ -15,6 +15,8 @@ pub struct Served {
     /// `127.0.0.1:PORT`
     pub host: String,
     data: PathBuf,
+    options: Vec<String>,
+    environment: Vec<(String, String)>,
 }
 
 pub fn orb(data: &Path) -> Command {
@@ -39,9 +41,15 @@ impl Served {
 
     /// With more options.
     pub fn start_with(data: &Path, bind: &str, options: &[&str]) -> Served {
+        Served::start_in(data, bind, options, &[])
+    }
+
+    /// And variables.
+    pub fn start_in(data: &Path, bind: &str, options: &[&str], environment: &[(&str, &str)]) -> Served {
         let mut child = orb(data)
             .args(["serve", "--bind", bind, "--device", "cpu", "--max-marking", "UNCLASSIFIED"])
             .args(options)
+            .envs(environment.iter().copied())
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
@@ -49,14 +57,18 @@ impl Served {
         let mut next = || lines.next().expect("two lines").unwrap();
         assert_eq!(next(), "UNCLASSIFIED");
         let host = next().split("://").nth(1).unwrap().trim_end_matches('/').to_owned();
-        Served { child, host, data: data.to_owned() }
+        let options = options.iter().map(|o| (*o).to_owned()).collect();
+        let environment = environment.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
+        Served { child, host, data: data.to_owned(), options, environment }
     }
 
     /// As a loss of power does, and begins again at the same address.
     pub fn kill_and_start(&mut self) {
         self.child.kill().unwrap();
         self.child.wait().unwrap();
-        *self = Served::start(&self.data.clone(), &self.host.clone());
+        let options: Vec<&str> = self.options.iter().map(String::as_str).collect();
+        let environment: Vec<(&str, &str)> = self.environment.iter().map(|(k, v)| (k.as_str(), v.as_str())).collect();
+        *self = Served::start_in(&self.data, &self.host, &options, &environment);
     }
 
     /// The head and the body of an answer.

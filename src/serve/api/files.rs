@@ -23,11 +23,23 @@ const MARKING: HeaderName = HeaderName::from_static("x-orb-marking");
 /// Where a job's results are.
 ///
 /// # Errors
-/// 409 for a job that has none.
+/// 409 for a job that has none, or has them elsewhere.
 pub fn folder(server: &Server, job: &Job) -> Answer<PathBuf> {
+    job_is_here(job)?;
     match job.state {
         JobState::Done => Ok(server.place.published(&job.id, job.attempt)),
         other => Err(Refusal::conflict(format!("the job is {} and has published nothing", other.name()))),
+    }
+}
+
+/// Refuses what needs a job's files where another server of the same database has them.
+///
+/// # Errors
+/// 409.
+pub fn job_is_here(job: &Job) -> Answer<()> {
+    match job.here {
+        true => Ok(()),
+        false => Err(Refusal::conflict("another server has the files of this job: it was submitted there")),
     }
 }
 

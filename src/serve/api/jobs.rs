@@ -19,6 +19,7 @@ use tokio::sync::watch::Receiver;
 use tokio::time::{Instant, timeout_at};
 use utoipa::{IntoParams, ToSchema};
 
+use super::files::job_is_here;
 use super::{Answer, Caller, Refused, asked, blocking};
 use crate::audit::time::format_utc;
 use crate::audit::{TrustStore, verify};
@@ -34,6 +35,8 @@ const MOST_LISTED: u32 = 200;
 /// A stream of events ends after this, and a browser opens it again: who may no longer watch is found out by then.
 const STREAM: Duration = Duration::from_secs(300);
 const KEEP_ALIVE: Duration = Duration::from_secs(15);
+/// Between two looks at a job that another server of the same database runs.
+const ELSEWHERE: Duration = Duration::from_secs(2);
 /// Between two events of one stream.
 const PAUSE: Duration = Duration::from_millis(200);
 
@@ -179,9 +182,9 @@ pub async fn watch(State(server): State<Arc<Server>>, caller: Caller, Path(id): 
     let bell = server.live.listen();
     let asked = id.clone();
     let watcher = caller.clone();
-    blocking(&server, move |server| watcher.job(server, &asked, Right::Records).map(drop)).await?;
-    let watch =
-        Watch { server, caller, id, bell, last: None, until: Instant::now() + STREAM, done: false, _place: place };
+    let here = blocking(&server, move |server| Ok(watcher.job(server, &asked, Right::Records)?.here)).await?;
+    let until = Instant::now() + STREAM;
+    let watch = Watch { server, caller, id, bell, last: None, until, here, done: false, _place: place };
     let events: Pin<Box<dyn Stream<Item = Result<Event, Infallible>> + Send>> =
         Box::pin(unfold(watch, |mut watch| async move { watch.next().await.map(|event| (Ok(event), watch)) }));
     let sse = Sse::new(events).keep_alive(KeepAlive::new().interval(KEEP_ALIVE));
@@ -196,6 +199,7 @@ struct Watch {
     bell: Receiver<u64>,
     last: Option<InFull>,
     until: Instant,
+    here: bool,
     done: bool,
     _place: OwnedSemaphorePermit,
 }
@@ -215,7 +219,10 @@ impl Watch {
                 return Some(event);
             }
             tokio::time::sleep(PAUSE).await;
-            if !matches!(timeout_at(self.until, self.bell.changed()).await, Ok(Ok(()))) {
+            // Of a job of another server's no bell rings here.
+            let look = if self.here { self.until } else { self.until.min(Instant::now() + ELSEWHERE) };
+            let rung = timeout_at(look, self.bell.changed()).await;
+            if matches!(rung, Ok(Err(_))) || Instant::now() >= self.until {
                 return None;
             }
         }
@@ -259,6 +266,7 @@ pub async fn cancel(State(server): State<Arc<Server>>, caller: Caller, Path(id):
 pub async fn remove(State(server): State<Arc<Server>>, caller: Caller, Path(id): Path<String>) -> Answer<StatusCode> {
     blocking(&server, move |server| {
         let job = own_job(server, &caller, &id)?;
+        job_is_here(&job)?;
         let runs = || Refusal::conflict("the job runs: cancel it first");
         if job.state == JobState::Running {
             return Err(runs());

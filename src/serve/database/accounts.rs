@@ -1,8 +1,7 @@
 //! Accounts in the database.
 
-use rusqlite::{OptionalExtension as _, Row, params};
-
-use super::{Database, failed};
+use super::Database;
+use super::sql::{Row, Way, unsound, values};
 use crate::audit::Marking;
 use crate::serve::account::{Account, LOCKED_FOR, MOST_FAILURES, is_same};
 use crate::{Error, Result};
@@ -27,42 +26,30 @@ pub enum Checked {
     Expired,
 }
 
-fn account(row: &Row<'_>) -> rusqlite::Result<Account> {
-    fn sound<T>(value: Result<T>) -> rusqlite::Result<T> {
-        value.map_err(|e| rusqlite::Error::FromSqlConversionFailure(0, rusqlite::types::Type::Text, Box::new(e)))
-    }
+fn account(row: &Row) -> Result<Account> {
+    let (roles, ceiling): (String, String) = (row.get(1)?, row.get(2)?);
     Ok(Account {
         name: row.get(0)?,
-        roles: sound(row.get::<_, String>(1)?.parse())?,
-        ceiling: sound(Marking::parse(&row.get::<_, String>(2)?))?,
+        roles: roles.parse().map_err(|_| unsound("an account's roles", "names of roles", &roles))?,
+        ceiling: Marking::parse(&ceiling).map_err(|_| unsound("an account's ceiling", "a marking", &ceiling))?,
         token_sha256: row.get(3)?,
-        token_expires: row.get::<_, i64>(4)?.unsigned_abs(),
-        made: row.get::<_, i64>(5)?.unsigned_abs(),
+        token_expires: row.get(4)?,
+        made: row.get(5)?,
         disabled: row.get(6)?,
         failures: row.get(7)?,
-        locked_until: row.get::<_, i64>(8)?.unsigned_abs(),
-        last_used: row.get::<_, Option<i64>>(9)?.map(i64::unsigned_abs),
+        locked_until: row.get(8)?,
+        last_used: row.get(9)?,
     })
-}
-
-/// SQLite's integers have a sign; times are far below its limit.
-pub(super) fn int(value: u64) -> i64 {
-    i64::try_from(value).unwrap_or(i64::MAX)
 }
 
 impl Database {
     /// # Errors
     /// Usage, where the name is taken; environment.
     pub fn add_account(&self, a: &Account) -> Result<()> {
-        let added = self
-            .connection()
-            .execute(
-                "INSERT INTO account (name, roles, ceiling, token_sha256, token_expires, made) VALUES (?1, ?2, ?3, ?4, ?5, ?6)
-                 ON CONFLICT DO NOTHING",
-                params![a.name, a.roles.text(), a.ceiling.banner(), a.token_sha256, int(a.token_expires), int(a.made)],
-            )
-            .map_err(failed)?;
-        match added {
+        let sql = "INSERT INTO account (name, roles, ceiling, token_sha256, token_expires, made)
+                   VALUES ($1, $2, $3, $4, $5, $6) ON CONFLICT DO NOTHING";
+        let (roles, ceiling, token) = (a.roles.text(), a.ceiling.banner(), a.token_sha256.as_slice());
+        match self.change(sql, &values![a.name.as_str(), roles, ceiling, token, a.token_expires, a.made])? {
             0 => Err(Error::usage("account").expected("a name that is not taken").found(a.name.clone())),
             _ => Ok(()),
         }
@@ -71,10 +58,8 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn account(&self, name: &str) -> Result<Option<Account>> {
-        let sql = format!("SELECT {COLUMNS} FROM account WHERE name = ?1");
-        let connection = self.connection();
-        let mut statement = connection.prepare_cached(&sql).map_err(failed)?;
-        statement.query_row([name], account).optional().map_err(failed)
+        let sql = format!("SELECT {COLUMNS} FROM account WHERE name = $1");
+        self.rows(&sql, &values![name])?.first().map(account).transpose()
     }
 
     /// By name.
@@ -82,11 +67,7 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn accounts(&self) -> Result<Vec<Account>> {
-        let connection = self.connection();
-        let mut statement =
-            connection.prepare(&format!("SELECT {COLUMNS} FROM account ORDER BY name")).map_err(failed)?;
-        let rows = statement.query_map([], account).map_err(failed)?;
-        rows.collect::<rusqlite::Result<_>>().map_err(failed)
+        self.rows(&format!("SELECT {COLUMNS} FROM account ORDER BY name"), &[])?.iter().map(account).collect()
     }
 
     /// False where there is no such account. Enabling it takes a lock off it too.
@@ -94,8 +75,8 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn set_disabled(&self, name: &str, disabled: bool) -> Result<bool> {
-        let sql = "UPDATE account SET disabled = ?2, failures = 0, locked_until = 0 WHERE name = ?1";
-        Ok(self.connection().execute(sql, params![name, disabled]).map_err(failed)? > 0)
+        let sql = "UPDATE account SET disabled = $2, failures = 0, locked_until = 0 WHERE name = $1";
+        Ok(self.change(sql, &values![name, disabled])? > 0)
     }
 
     /// False where there is no such account.
@@ -104,8 +85,8 @@ impl Database {
     /// Environment.
     pub fn set_token(&self, name: &str, token_sha256: &[u8], expires: u64) -> Result<bool> {
         let sql =
-            "UPDATE account SET token_sha256 = ?2, token_expires = ?3, failures = 0, locked_until = 0 WHERE name = ?1";
-        Ok(self.connection().execute(sql, params![name, token_sha256, int(expires)]).map_err(failed)? > 0)
+            "UPDATE account SET token_sha256 = $2, token_expires = $3, failures = 0, locked_until = 0 WHERE name = $1";
+        Ok(self.change(sql, &values![name, token_sha256, expires])? > 0)
     }
 
     /// Judges a token, counts failures, notes the use.
@@ -118,14 +99,23 @@ impl Database {
             return Ok(Checked::Locked);
         }
         if !is_same(&account.token_sha256, secret_sha256) {
-            let failures = account.failures + 1;
-            let locks = failures >= MOST_FAILURES;
-            let (kept, until) = if locks { (0, now + LOCKED_FOR) } else { (failures, 0) };
-            let sql = "UPDATE account SET failures = ?2, locked_until = ?3 WHERE name = ?1";
-            self.connection().execute(sql, params![name, kept, int(until)]).map_err(failed)?;
-            return Ok(if locks { Checked::NowLocked } else { Checked::Wrong });
+            return self.count_failure(name, now);
         }
         self.judge(account, now)
+    }
+
+    /// One wrong token more: in one statement, so that servers that share accounts count together.
+    fn count_failure(&self, name: &str, now: u64) -> Result<Checked> {
+        let sql = "UPDATE account SET failures = CASE WHEN failures + 1 >= $2 THEN 0 ELSE failures + 1 END,
+                   locked_until = CASE WHEN failures + 1 >= $2 THEN $3 ELSE 0 END
+                   WHERE name = $1 AND locked_until <= $4 RETURNING locked_until";
+        let values = values![name, MOST_FAILURES, now + LOCKED_FOR, now];
+        match self.sql.rows(Way::Change, sql, &values)?.first() {
+            // Another request locked it meanwhile.
+            None => Ok(Checked::Locked),
+            Some(row) if row.get::<u64>(0)? > now => Ok(Checked::NowLocked),
+            Some(_) => Ok(Checked::Wrong),
+        }
     }
 
     /// An account whose token or session was good: disabled, expired or not.
@@ -141,8 +131,8 @@ impl Database {
         }
         let noted = account.last_used.is_some_and(|last| now.saturating_sub(last) < NOTED_EVERY);
         if !noted || account.failures > 0 {
-            let sql = "UPDATE account SET failures = 0, last_used = ?2 WHERE name = ?1";
-            self.connection().execute(sql, params![account.name, int(now)]).map_err(failed)?;
+            let sql = "UPDATE account SET failures = 0, last_used = $2 WHERE name = $1";
+            self.change(sql, &values![account.name.as_str(), now])?;
         }
         Ok(Checked::Good(Box::new(account)))
     }

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use rusqlite::{OptionalExtension as _, Row, params, params_from_iter, types::Value};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use super::accounts::int;
-use super::{Database, failed};
+use super::Database;
+use super::sql::{Row, Value, Way, places, unsound, values};
 use crate::Result;
 use crate::serve::Limits;
 use crate::serve::submission::Submission;
@@ -69,6 +68,8 @@ pub struct Job {
     pub error: Option<String>,
     /// What the run said of itself.
     pub result: Option<serde_json::Value>,
+    /// Its files are in this server's folder, and so is its run.
+    pub here: bool,
 }
 
 /// A job before it has a place in the queue.
@@ -104,32 +105,11 @@ pub struct Selection {
 }
 
 const COLUMNS: &str = "number, id, account, state, marking, request, submitted, started, ended, attempt, cancel, bytes, \
-                       stage, exit_code, error, result";
+                       stage, exit_code, error, result, folder";
 
-fn job(row: &Row<'_>) -> rusqlite::Result<Job> {
-    fn unsound(error: impl std::error::Error + Send + Sync + 'static) -> rusqlite::Error {
-        rusqlite::Error::FromSqlConversionFailure(0, rusqlite::types::Type::Text, Box::new(error))
-    }
-    let time = |i: usize| row.get::<_, Option<i64>>(i).map(|t| t.map(i64::unsigned_abs));
-    let state: String = row.get(3)?;
-    Ok(Job {
-        number: row.get(0)?,
-        id: row.get(1)?,
-        account: row.get(2)?,
-        state: serde_json::from_value(state.into()).map_err(unsound)?,
-        marking: row.get(4)?,
-        request: serde_json::from_str(&row.get::<_, String>(5)?).map_err(unsound)?,
-        submitted: time(6)?.unwrap_or_default(),
-        started: time(7)?,
-        ended: time(8)?,
-        attempt: row.get(9)?,
-        cancel: row.get(10)?,
-        bytes: row.get::<_, i64>(11)?.unsigned_abs(),
-        stage: row.get(12)?,
-        exit_code: row.get(13)?,
-        error: row.get(14)?,
-        result: row.get::<_, Option<String>>(15)?.map(|t| serde_json::from_str(&t)).transpose().map_err(unsound)?,
-    })
+pub(super) fn request(text: &str) -> Result<Submission> {
+    serde_json::from_str(text)
+        .map_err(|e| unsound("what a job was asked to do", "JSON of a submission", &e.to_string()))
 }
 
 fn text(value: &impl Serialize) -> String {
@@ -138,42 +118,56 @@ fn text(value: &impl Serialize) -> String {
 }
 
 impl Database {
+    fn job_of(&self, row: &Row) -> Result<Job> {
+        let state: String = row.get(3)?;
+        let result: Option<String> = row.get(15)?;
+        let result = result.map(|text| serde_json::from_str(&text)).transpose();
+        Ok(Job {
+            number: row.get(0)?,
+            id: row.get(1)?,
+            account: row.get(2)?,
+            state: State::ALL
+                .into_iter()
+                .find(|s| s.name() == state)
+                .ok_or_else(|| unsound("a job's state", "one of Orb's", &state))?,
+            marking: row.get(4)?,
+            request: request(&row.get::<String>(5)?)?,
+            submitted: row.get(6)?,
+            started: row.get(7)?,
+            ended: row.get(8)?,
+            attempt: row.get(9)?,
+            cancel: row.get(10)?,
+            bytes: row.get(11)?,
+            stage: row.get(12)?,
+            exit_code: row.get(13)?,
+            error: row.get(14)?,
+            result: result.map_err(|e| unsound("what a run said", "JSON", &e.to_string()))?,
+            here: row.get::<String>(16)? == self.folder,
+        })
+    }
+
     /// A new job at the end of the queue; false, and none, where a limit is reached.
     ///
     /// # Errors
     /// Environment.
     pub fn add_job(&self, job: &New<'_>, limits: &Limits) -> Result<bool> {
-        let added = self
-            .connection()
-            .execute(
-                "INSERT INTO job (id, account, state, marking, request, submitted, bytes)
-                 SELECT ?1, ?2, 'queued', ?3, ?4, ?5, ?6
-                 WHERE (SELECT count(*) FROM job WHERE state IN ('queued', 'running')) < ?7
-                 AND (SELECT count(*) FROM job WHERE state IN ('queued', 'running') AND account = ?2) < ?8
-                 AND (SELECT coalesce(sum(bytes), 0) FROM job) + ?6 <= ?9",
-                params![
-                    job.id,
-                    job.account,
-                    job.marking,
-                    text(job.request),
-                    int(job.submitted),
-                    int(job.bytes),
-                    int(limits.queue),
-                    int(limits.queue_each),
-                    int(limits.stored)
-                ],
-            )
-            .map_err(failed)?;
-        Ok(added > 0)
+        let sql = "INSERT INTO job (id, account, state, marking, request, submitted, bytes, folder)
+                   SELECT $1, $2, 'queued', $3, $4, $5, $6, $10
+                   WHERE (SELECT count(*) FROM job WHERE state IN ('queued', 'running') AND folder = $10) < $7
+                   AND (SELECT count(*) FROM job WHERE state IN ('queued', 'running') AND folder = $10 AND account = $2) < $8
+                   AND (SELECT coalesce(sum(bytes), 0) FROM job WHERE folder = $10) + $6 <= $9";
+        let (request, folder) = (text(job.request), self.folder.as_str());
+        let (waiting, each, stored) = (limits.queue, limits.queue_each, limits.stored);
+        let values =
+            values![job.id, job.account, job.marking, request, job.submitted, job.bytes, waiting, each, stored, folder];
+        Ok(self.sql.change(Way::ChangeAlone, sql, &values)? > 0)
     }
 
     /// # Errors
     /// Environment.
     pub fn job(&self, id: &str) -> Result<Option<Job>> {
-        let connection = self.connection();
-        let mut statement =
-            connection.prepare_cached(&format!("SELECT {COLUMNS} FROM job WHERE id = ?1")).map_err(failed)?;
-        statement.query_row([id], job).optional().map_err(failed)
+        let sql = format!("SELECT {COLUMNS} FROM job WHERE id = $1");
+        self.rows(&sql, &values![id])?.first().map(|row| self.job_of(row)).transpose()
     }
 
     /// Newest first, those marked with one of `markings` only.
@@ -181,23 +175,23 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn jobs(&self, wanted: &Selection, markings: &[String]) -> Result<Vec<Job>> {
-        let places = vec!["?"; markings.len()].join(",");
-        let mut sql = format!("SELECT {COLUMNS} FROM job WHERE marking IN ({places})");
+        if markings.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut sql = format!("SELECT {COLUMNS} FROM job WHERE marking IN ({})", places(1, markings.len()));
         let mut values: Vec<Value> = markings.iter().cloned().map(Value::Text).collect();
+        let mut add = |words: &str, value: Value| {
+            values.push(value);
+            sql.push_str(&format!(" {words} ${}", values.len()));
+        };
         if let Some(state) = wanted.state {
-            sql.push_str(" AND state = ?");
-            values.push(Value::Text(state.name().to_owned()));
+            add("AND state =", state.name().into());
         }
         if let Some(before) = wanted.before {
-            sql.push_str(" AND number < ?");
-            values.push(Value::Integer(before));
+            add("AND number <", before.into());
         }
-        sql.push_str(" ORDER BY number DESC LIMIT ?");
-        values.push(Value::Integer(wanted.at_most.into()));
-        let connection = self.connection();
-        let mut statement = connection.prepare_cached(&sql).map_err(failed)?;
-        let rows = statement.query_map(params_from_iter(values), job).map_err(failed)?;
-        rows.collect::<rusqlite::Result<_>>().map_err(failed)
+        add("ORDER BY number DESC LIMIT", wanted.at_most.into());
+        self.rows(&sql, &values)?.iter().map(|row| self.job_of(row)).collect()
     }
 
     /// Every marking that some job has.
@@ -205,85 +199,83 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn markings(&self) -> Result<Vec<String>> {
-        let connection = self.connection();
         // One step of the index for each marking, not one for each job.
         let sql = "WITH RECURSIVE m(x) AS (SELECT min(marking) FROM job UNION ALL
                    SELECT (SELECT min(marking) FROM job WHERE marking > x) FROM m WHERE x IS NOT NULL)
                    SELECT x FROM m WHERE x IS NOT NULL";
-        let mut statement = connection.prepare_cached(sql).map_err(failed)?;
-        let rows = statement.query_map([], |row| row.get(0)).map_err(failed)?;
-        rows.collect::<rusqlite::Result<_>>().map_err(failed)
+        self.rows(sql, &[])?.iter().map(|row| row.get(0)).collect()
     }
 
-    /// How many jobs wait before this one.
+    /// How many jobs of its server's wait before this one.
     ///
     /// # Errors
     /// Environment.
     pub fn waiting_before(&self, number: i64) -> Result<u64> {
-        self.count("SELECT count(*) FROM job WHERE state = 'queued' AND number < ?1", params![number])
+        let sql = "SELECT count(*) FROM job WHERE state = 'queued' AND number < $1
+                   AND folder = (SELECT folder FROM job WHERE number = $1)";
+        self.count(sql, &values![number])
     }
 
-    /// Jobs that wait or run: of all, and of one account.
+    /// Jobs of this server's that wait or run: of all, and of one account.
     ///
     /// # Errors
     /// Environment.
     pub fn unfinished(&self, account: &str) -> Result<(u64, u64)> {
-        let all = self.count("SELECT count(*) FROM job WHERE state IN ('queued', 'running')", [])?;
-        let own =
-            self.count("SELECT count(*) FROM job WHERE state IN ('queued', 'running') AND account = ?1", [account])?;
-        Ok((all, own))
+        let all = "SELECT count(*) FROM job WHERE state IN ('queued', 'running') AND folder = $1";
+        let own = format!("{all} AND account = $2");
+        let values = values![self.folder.as_str(), account];
+        Ok((self.count(all, &values[..1])?, self.count(&own, &values)?))
     }
 
-    /// Bytes of all jobs together.
+    /// Bytes of all jobs in this server's folder together.
     ///
     /// # Errors
     /// Environment.
     pub fn stored(&self) -> Result<u64> {
-        self.count("SELECT coalesce(sum(bytes), 0) FROM job", [])
+        let sql = "SELECT CAST(coalesce(sum(bytes), 0) AS BIGINT) FROM job WHERE folder = $1";
+        self.count(sql, &values![self.folder.as_str()])
     }
 
     /// # Errors
     /// Environment.
     pub fn count_by_state(&self) -> Result<BTreeMap<State, u64>> {
-        let one = |s: &State| Ok((*s, self.count("SELECT count(*) FROM job WHERE state = ?1", [s.name()])?));
+        let one = |s: &State| Ok((*s, self.count("SELECT count(*) FROM job WHERE state = $1", &values![s.name()])?));
         State::ALL.iter().map(one).collect()
     }
 
-    fn count(&self, sql: &str, params: impl rusqlite::Params) -> Result<u64> {
-        let connection = self.connection();
-        let mut statement = connection.prepare_cached(sql).map_err(failed)?;
-        statement.query_row(params, |row| row.get::<_, i64>(0)).map(i64::unsigned_abs).map_err(failed)
+    fn count(&self, sql: &str, values: &[Value]) -> Result<u64> {
+        self.rows(sql, values)?.first().map_or(Ok(0), |row| row.get(0))
     }
 
-    /// The job that has waited longest, now running, its attempts one more.
+    /// The job of this server's folder that has waited longest, now running, its attempts one more. Nobody else gets it.
+    ///
+    /// # Errors
+    /// Environment: a job may be running that nobody runs ([`crate::serve::runner::recover`]).
+    pub fn take(&self, now: u64) -> Result<Option<Job>> {
+        let sql = format!(
+            "UPDATE job SET state = 'running', attempt = attempt + 1, started = $1, ended = NULL, stage = NULL
+             WHERE number = (SELECT number FROM job WHERE state = 'queued' AND folder = $2 ORDER BY number LIMIT 1 {})
+             RETURNING {COLUMNS}",
+            self.sql.for_one()
+        );
+        let taken = self.sql.rows(Way::Change, &sql, &values![now, self.folder.as_str()])?;
+        taken.first().map(|row| self.job_of(row)).transpose()
+    }
+
+    /// Jobs of this server's folder.
     ///
     /// # Errors
     /// Environment.
-    pub fn take(&self, now: u64) -> Result<Option<Job>> {
-        let sql = format!(
-            "UPDATE job SET state = 'running', attempt = attempt + 1, started = ?1, ended = NULL, stage = NULL
-             WHERE number = (SELECT min(number) FROM job WHERE state = 'queued') RETURNING {COLUMNS}"
-        );
-        let connection = self.connection();
-        let mut statement = connection.prepare_cached(&sql).map_err(failed)?;
-        statement.query_row([int(now)], job).optional().map_err(failed)
-    }
-
-    /// # Errors
-    /// Environment.
     pub fn running(&self) -> Result<Vec<Job>> {
-        let connection = self.connection();
-        let sql = format!("SELECT {COLUMNS} FROM job WHERE state = 'running' ORDER BY number");
-        let mut statement = connection.prepare(&sql).map_err(failed)?;
-        let rows = statement.query_map([], job).map_err(failed)?;
-        rows.collect::<rusqlite::Result<_>>().map_err(failed)
+        let sql = format!("SELECT {COLUMNS} FROM job WHERE state = 'running' AND folder = $1 ORDER BY number");
+        self.rows(&sql, &values![self.folder.as_str()])?.iter().map(|row| self.job_of(row)).collect()
     }
 
     /// # Errors
     /// Environment.
     pub fn set_stage(&self, id: &str, stage: &str) -> Result<()> {
-        let sql = "UPDATE job SET stage = ?2 WHERE id = ?1 AND state = 'running'";
-        self.connection().execute(sql, [id, stage]).map(drop).map_err(failed)
+        let sql = "UPDATE job SET stage = $2 WHERE id = $1 AND state = 'running'";
+        self.change(sql, &values![id, stage]).map(drop)
     }
 
     /// A running job ends.
@@ -291,15 +283,12 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn end(&self, id: &str, ended: &Ended, now: u64) -> Result<()> {
+        let sql = "UPDATE job SET state = $2, exit_code = $3, error = $4, result = $5, marking = coalesce($6, marking),
+                   bytes = $7, ended = $8, stage = NULL WHERE id = $1 AND state = 'running'";
+        let (error, marking) = (ended.error.clone(), ended.marking.clone());
         let result = ended.result.as_ref().map(text);
-        self.connection()
-            .execute(
-                "UPDATE job SET state = ?2, exit_code = ?3, error = ?4, result = ?5, marking = coalesce(?6, marking), bytes = ?7,
-                 ended = ?8, stage = NULL WHERE id = ?1 AND state = 'running'",
-                params![id, ended.state.name(), ended.exit_code, ended.error, result, ended.marking, int(ended.bytes), int(now)],
-            )
-            .map(drop)
-            .map_err(failed)
+        let values = values![id, ended.state.name(), ended.exit_code, error, result, marking, ended.bytes, now];
+        self.change(sql, &values).map(drop)
     }
 
     /// A running job waits again, at its old place; `uncounted` where the server was ended in order.
@@ -307,9 +296,9 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn put_back(&self, id: &str, uncounted: bool) -> Result<()> {
-        let sql = "UPDATE job SET state = 'queued', attempt = attempt - ?2, started = NULL, stage = NULL
-                   WHERE id = ?1 AND state = 'running'";
-        self.connection().execute(sql, params![id, i64::from(uncounted)]).map(drop).map_err(failed)
+        let sql = "UPDATE job SET state = 'queued', attempt = attempt - $2, started = NULL, stage = NULL
+                   WHERE id = $1 AND state = 'running'";
+        self.change(sql, &values![id, uncounted]).map(drop)
     }
 
     /// A waiting job is cancelled; of a running one it is noted that it is to be. The state before, if it was one of them.
@@ -317,13 +306,20 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn cancel(&self, id: &str, now: u64) -> Result<Option<State>> {
-        let connection = self.connection();
-        let waiting = "UPDATE job SET state = 'cancelled', cancel = 1, ended = ?2 WHERE id = ?1 AND state = 'queued'";
-        if connection.execute(waiting, params![id, int(now)]).map_err(failed)? > 0 {
+        let waiting = "UPDATE job SET state = 'cancelled', cancel = 1, ended = $2 WHERE id = $1 AND state = 'queued'";
+        if self.change(waiting, &values![id, now])? > 0 {
             return Ok(Some(State::Queued));
         }
-        let running = "UPDATE job SET cancel = 1 WHERE id = ?1 AND state = 'running'";
-        Ok((connection.execute(running, [id]).map_err(failed)? > 0).then_some(State::Running))
+        let running = "UPDATE job SET cancel = 1 WHERE id = $1 AND state = 'running'";
+        Ok((self.change(running, &values![id])? > 0).then_some(State::Running))
+    }
+
+    /// Whether a running job is to be cancelled, whichever server was told so.
+    ///
+    /// # Errors
+    /// Environment.
+    pub fn is_cancelled(&self, id: &str) -> Result<bool> {
+        Ok(self.count("SELECT cancel FROM job WHERE id = $1", &values![id])? > 0)
     }
 
     /// False for a job that runs, or is none. A waiting one does not run any more.
@@ -331,7 +327,6 @@ impl Database {
     /// # Errors
     /// Environment.
     pub fn remove_job(&self, id: &str) -> Result<bool> {
-        let sql = "DELETE FROM job WHERE id = ?1 AND state <> 'running'";
-        Ok(self.connection().execute(sql, [id]).map_err(failed)? > 0)
+        Ok(self.change("DELETE FROM job WHERE id = $1 AND state <> 'running'", &values![id])? > 0)
     }
 }

@@ -11,19 +11,31 @@ use tokio::sync::Semaphore;
 use tower::ServiceExt as _;
 
 use super::super::administration::By;
+use super::super::database::postgres::Address;
 use super::super::database::{Database, Ended, State};
 use super::super::viewers::Viewers;
 use super::super::{Clock, Limits, Server, api, place, recorder};
+use super::cluster::{self, Cluster};
 use crate::audit::keys::tests::shared_key;
 use crate::audit::{DataFolder, Marking, events};
 use crate::cli::device::Device;
 
 pub(super) const BEGIN: u64 = 1_790_000_000_000;
 
+/// Where jobs and accounts are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::serve) enum On {
+    Sqlite,
+    /// A new database of the tests' own server, which must be there.
+    Postgres,
+}
+
 /// A server with its folder, its clock, and accounts.
 pub(super) struct Fixture {
-    _folder: tempfile::TempDir,
+    // The server's connections end before its database's server does.
     pub(super) server: Arc<Server>,
+    _folder: tempfile::TempDir,
+    _cluster: Option<Arc<Cluster>>,
     pub(super) clock: Arc<AtomicU64>,
     pub(super) runtime: tokio::runtime::Runtime,
 }
@@ -62,11 +74,11 @@ pub(super) fn nobody() -> As {
 }
 
 impl Fixture {
-    pub(super) fn new() -> Fixture {
-        Fixture::with(|_| {})
+    pub(super) fn new(on: On) -> Fixture {
+        Fixture::with(on, |_| {})
     }
 
-    pub(super) fn with(change: impl FnOnce(&mut Limits)) -> Fixture {
+    pub(super) fn with(on: On, change: impl FnOnce(&mut Limits)) -> Fixture {
         let folder = tempfile::tempdir().unwrap();
         let data = DataFolder::at(folder.path().join("data"));
         let keys = data.subfolder("keys").unwrap();
@@ -77,9 +89,18 @@ impl Fixture {
         let mut limits = Limits::default();
         change(&mut limits);
         let place = place::Place::open(&data).unwrap();
+        let cluster = (on == On::Postgres).then(|| cluster::shared().unwrap());
+        let database = match &cluster {
+            None => Database::file(&place.database()).unwrap(),
+            Some(cluster) => {
+                let url = cluster.url("orb", &cluster.create());
+                Database::at(Address::new(&url, None, None, BEGIN).unwrap(), place.name().unwrap()).unwrap()
+            }
+        };
+        database.hold().unwrap();
         let places = |n| Arc::new(Semaphore::new(n));
         let server = Server {
-            database: Database::open(&place.database()).unwrap(),
+            database,
             place,
             sessions: Default::default(),
             live: Default::default(),
@@ -99,7 +120,7 @@ impl Fixture {
             checks: places(1),
         };
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
-        Fixture { _folder: folder, server: Arc::new(server), clock, runtime }
+        Fixture { server: Arc::new(server), _folder: folder, _cluster: cluster, clock, runtime }
     }
 
     pub(super) fn account(&self, name: &str, roles: &str, ceiling: &str) -> String {

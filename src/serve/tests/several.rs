@@ -4,8 +4,14 @@ use axum::body::Body;
 use axum::http::Request;
 use serde_json::json;
 
-use super::{Answered, As, Fixture, photo};
+use super::{Answered, As, Fixture, On, photo};
 use crate::serve::database::Stands;
+
+on_both!(
+    several_photos_are_kept_by_their_names_and_poses_by_ours,
+    what_belongs_to_no_set_is_refused,
+    what_stands_where_is_told_below_a_ceiling
+);
 
 /// Parts of a form: field, file name where it is a file, contents.
 type Part<'a> = (&'a str, Option<&'a str>, &'a [u8]);
@@ -33,9 +39,8 @@ const IMAGES: &[u8] = b"1 1 0 0 0 0 0 5 1 a b.png\n\n2 1 0 0 0 0 0 6 1 c.png\n\n
 const POINTS: &[u8] = b"1 1 2 3 9 8 7 0.5 1 0\n";
 const CONTROL: &[u8] = b"point,latitude,longitude,height,photo,x,y\np,34.5,-118.4,740,c.png,3,4\n";
 
-#[test]
-fn several_photos_are_kept_by_their_names_and_poses_by_ours() {
-    let fixture = Fixture::new();
+fn several_photos_are_kept_by_their_names_and_poses_by_ours(on: On) {
+    let fixture = Fixture::new(on);
     let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
     let (one, two) = (photo(64, 64), photo(80, 64));
     let all: [Part<'_>; 8] = [
@@ -68,9 +73,8 @@ fn several_photos_are_kept_by_their_names_and_poses_by_ours() {
     assert_eq!(submit(&fixture, &jane, &all[..4]).status, 201);
 }
 
-#[test]
-fn what_belongs_to_no_set_is_refused() {
-    let fixture = Fixture::with(|l| {
+fn what_belongs_to_no_set_is_refused(on: On) {
+    let fixture = Fixture::with(on, |l| {
         l.photos = 6;
         l.submission = 200_000;
     });
@@ -110,9 +114,8 @@ fn what_belongs_to_no_set_is_refused() {
     }
 }
 
-#[test]
-fn what_stands_where_is_told_below_a_ceiling() {
-    let fixture = Fixture::new();
+fn what_stands_where_is_told_below_a_ceiling(on: On) {
+    let fixture = Fixture::new(on);
     let high = As::from(fixture.account("high", "operator", "SECRET").as_str());
     let low = As::from(fixture.account("low", "viewer", "UNCLASSIFIED").as_str());
     let empty = fixture.get("/api/v1/geocells", &low);
@@ -125,7 +128,7 @@ fn what_stands_where_is_told_below_a_ceiling() {
     // One that is still waiting stands nowhere.
     fixture.submitted(&high);
     let secret = "UPDATE job SET marking = 'SECRET' WHERE number = 3";
-    rusqlite::Connection::open(fixture.server.place.database()).unwrap().execute(secret, []).unwrap();
+    assert_eq!(fixture.server.database.change(secret, &[]).unwrap(), 1);
     let cells = |who: &As, query: &str| {
         let all = fixture.get(&format!("/api/v1/geocells{query}"), who).json();
         let told = |c: &serde_json::Value| {
