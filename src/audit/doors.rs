@@ -72,7 +72,10 @@ const KEEPERS: [(&str, &str); 39] = [
     ("src/serve/api/form.rs", "the files of a submission, in the server's own folder"),
     ("src/serve/api/submit.rs", "the same, named"),
     ("src/serve/database/sqlite.rs", "the server's accounts and jobs"),
-    ("src/serve/place.rs", "the server's own folder and its name: photos come and go, what runs publish in it goes with its job"),
+    (
+        "src/serve/place.rs",
+        "the server's own folder and its name: photos come and go, what runs publish in it goes with its job",
+    ),
     ("src/splat/render/gpu/cache.rs", "compiled shaders"),
     ("src/splat/render/gpu/device.rs", "compiled shaders"),
     ("src/splat/train/checkpoint.rs", "a fit that goes on later"),

@@ -6,6 +6,7 @@
 
 mod head;
 mod lines;
+mod trail;
 
 use std::fs::{File, OpenOptions};
 use std::io::{BufReader, Seek as _, SeekFrom};
@@ -24,6 +25,7 @@ use head::Head;
 pub(super) use head::checkpoint_beside;
 pub(super) use lines::read_line_limited;
 use lines::{line_before, set_partial_line_aside};
+pub use trail::Trail;
 
 /// An append-only file of records.
 #[derive(Clone, Debug)]

@@ -43,7 +43,7 @@ pub mod verify;
 
 pub use data_folder::DataFolder;
 pub use keys::{KeyForRun, SigningKey};
-pub use ledger::Ledger;
+pub use ledger::{Ledger, Trail};
 pub use marking::Marking;
 pub use publication::{Destination, Publication, Published};
 pub use record::RecordDraft;

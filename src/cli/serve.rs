@@ -289,6 +289,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         sessions: Sessions::default(),
         live: Live::default(),
         recorder: Recorder::new(data, "orb serve", super::argv::caller()),
+        trail: Default::default(),
         viewers: Viewers::new(args.device),
         limits: Limits {
             queue: args.max_queue,

@@ -22,11 +22,11 @@ mod tests;
 pub mod tls;
 pub mod viewers;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use tokio::sync::Semaphore;
 
-use crate::audit::Marking;
+use crate::audit::{Marking, Trail};
 use database::Database;
 use live::Live;
 use place::Place;
@@ -83,6 +83,8 @@ pub struct Server {
     pub sessions: Sessions,
     pub live: Live,
     pub recorder: Recorder,
+    /// What was read of the recorder's ledger.
+    pub trail: Mutex<Trail>,
     pub viewers: Viewers,
     pub limits: Limits,
     /// Nothing above it is taken in or shown.

@@ -11,9 +11,9 @@ use utoipa::{IntoParams, ToSchema};
 use super::{Answer, Caller, Refused, asked, blocking};
 use crate::audit::Ledger;
 use crate::audit::statement::{Outcome, Param};
-use crate::serve::Server;
 use crate::serve::refusal::Refusal;
 use crate::serve::role::Right;
+use crate::serve::{Server, lock};
 
 const MOST: u32 = 1000;
 /// Largest whole number that every reader of JSON has (RFC 8259 §6).
@@ -72,10 +72,10 @@ pub async fn list(
     let place = Arc::clone(&server.checks).try_acquire_owned().map_err(busy)?;
     blocking(&server, move |server| {
         let _place = place;
-        let chain = Ledger::open(server.recorder.data())?.read_chain()?;
+        let ledger = Ledger::open(server.recorder.data())?;
         // Records of scenes are as their scenes: nothing of those that this account may not see.
-        let shown = chain.into_iter().filter(|s| s.predicate.chain.seq >= wanted.from.unwrap_or(0));
-        let shown = shown.filter(|s| caller.may_see(server, &s.predicate.marking.banner));
+        let may_see = |marking: &str| caller.may_see(server, marking);
+        let shown = lock(&server.trail).read(&ledger, wanted.from.unwrap_or(0), limit as usize, may_see)?;
         let event = |s: crate::audit::statement::Statement| {
             let p = s.predicate;
             let about = if p.event.kind.starts_with("scene.") { Default::default() } else { p.params };
@@ -90,7 +90,7 @@ pub async fn list(
                 about,
             }
         };
-        Ok(Json(Events { events: shown.take(limit as usize).map(event).collect() }))
+        Ok(Json(Events { events: shown.into_iter().map(event).collect() }))
     })
     .await
 }

@@ -105,6 +105,7 @@ impl Fixture {
             sessions: Default::default(),
             live: Default::default(),
             recorder: recorder::Recorder::new(data, "orb serve", crate::cli::argv::caller()),
+            trail: Default::default(),
             viewers: Viewers::new(Device::Cpu),
             limits,
             ceiling: Marking::parse("SECRET").unwrap(),
