@@ -6,8 +6,9 @@ import torch
 import torch.nn.functional as F
 
 from nets import CROP_HALF, CROP_NEARNESS, SplatNet
-from synth.batches import detail_batch, scene_batch, splat_batch
+from synth.batches import scene_batch, splat_batch
 from synth.cameras import fixed
+from synth.details import detail_batch
 
 
 def gradients(x):
@@ -45,7 +46,7 @@ def scene_step(net, pool, n):
 
 
 def detail_step(net, pool, n, masks):
-    """As `scene_step`, for DetailNet; `masks`: `synth.batches.detail_batch`."""
+    """As `scene_step`, for DetailNet; `masks`: `synth.details.detail_batch`."""
     batch = detail_batch(pool, n, masks)
     with torch.autocast("cuda", torch.bfloat16):
         logits, depth = net(torch.cat([batch.photo, batch.rough], 1))

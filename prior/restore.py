@@ -134,8 +134,9 @@ def calibrate(net, inputs):
 
 
 def generated_inputs(which, pool, batches, batch=32, masks=None):
-    """Inputs of network `which` from the objects of `pool`; `masks`, for DetailNet: `synth.batches.detail_batch`."""
-    from synth.batches import detail_batch, scene_batch, splat_batch
+    """Inputs of network `which` from the objects of `pool`; `masks`, for DetailNet: `synth.details.detail_batch`."""
+    from synth.batches import scene_batch, splat_batch
+    from synth.details import detail_batch
 
     for _ in range(batches):
         if which == "scene":

@@ -86,7 +86,8 @@ def test_enumerations_of_the_kernel_are_those_of_the_layout():
 def test_generated_batches_are_finite_and_points_lie_on_subjects():
     torch = pytest.importorskip("torch")
     from nets import SplatNet
-    from synth.batches import detail_batch, make_pool, scene_batch, splat_batch
+    from synth.batches import make_pool, scene_batch, splat_batch
+    from synth.details import detail_batch
 
     torch.manual_seed(0)
     pool = make_pool(0, 64, 2, "cpu", textures=8)
@@ -107,11 +108,12 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
 
 def test_the_closer_picture_and_the_cut_out_mask_show_the_same():
     torch = pytest.importorskip("torch")
-    from synth.batches import cut_out, make_pool, seen_by, staged
+    from synth.batches import make_pool, seen_by, staged
     from synth.cameras import magnified
+    from synth.details import cut_out
 
     torch.manual_seed(1)
-    stage = staged(make_pool(0, 32, 2, "cpu", textures=4), 4, 128)
+    stage = staged(make_pool(0, 32, 2, "cpu", textures=4), torch.randint(32, (4,)), 128)
     _, whole, _, _ = seen_by(stage, stage.cameras, 128)
     box = torch.tensor([[20.0, 30, 110, 100], [0, 0, 128, 128], [40, 10, 90, 120], [10, 50, 120, 120]])
     _, closer, _, _ = seen_by(stage, magnified(stage.cameras, box, 128, 160), 160)
@@ -119,6 +121,26 @@ def test_the_closer_picture_and_the_cut_out_mask_show_the_same():
     # The same edges, but for the pixels of the coarser one.
     assert ((cut > 0.5) != (closer > 0.5)).float().mean() < 0.02
     assert (closer > 0.5).float().mean() > 0.05
+
+
+def test_patches_change_the_subject_or_what_is_around_it_and_nothing_else():
+    torch = pytest.importorskip("torch")
+    from synth.details import painted, patches
+
+    torch.manual_seed(2)
+    rgb = torch.rand(40, 3, 64, 64)
+    alpha = torch.zeros(40, 64, 64)
+    alpha[:, 10:50, 20:40] = 1
+    paint = patches(rgb, alpha)
+    changed = (painted(rgb, alpha, paint) - rgb).abs().amax(1) > 1e-3
+    on = changed[:, 10:50, 20:40].flatten(1).any(1)
+    around = (changed & (alpha == 0)).flatten(1).any(1)
+    assert not (on & around).any() and on.any() and around.any()
+    assert 5 < (on | around).sum() < 30
+    # What is painted keeps its light and shade.
+    ramp = torch.linspace(0.2, 0.6, 64).expand(1, 3, 64, 64)
+    whole = paint._replace(where=torch.ones(1, 1, 64, 64), on=torch.ones(1), colour=torch.full((1, 3, 1, 1), 0.4))
+    assert torch.allclose(painted(ramp, torch.ones(1, 64, 64), whole), ramp, atol=1e-4)
 
 
 @pytest.mark.parametrize("which", ["scene", "detail", "splat"])

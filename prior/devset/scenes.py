@@ -81,8 +81,10 @@ def direction(azimuth, elevation):
     return np.array([math.cos(e) * math.cos(a), math.cos(e) * math.sin(a), math.sin(e)])
 
 
-def base_scene(hide_emitters):
-    return {"type": "scene", "integrator": {"type": "path", "max_depth": 5, "hide_emitters": hide_emitters}}
+def base_scene(hide_emitters, subject):
+    """Light is followed for five surfaces; through a subject of cut-out leaves for more, for a hole counts as one too."""
+    most = 64 if any(part.cutout for part in subject) else 5
+    return {"type": "scene", "integrator": {"type": "path", "max_depth": most, "hide_emitters": hide_emitters}}
 
 
 def studio(radius, centre, photo_azimuth, side, level):
@@ -111,7 +113,7 @@ def plain_scene(subject, radius, centre, photo_azimuth, side, rng):
     colour = {"type": "rgb", "value": [float(shade * x) for x in rng.uniform(0.94, 1.0, 3)]}
     back = -direction(photo_azimuth, 0) * radius * 7
     wall = TRANSFORM().look_at(origin=back.tolist(), target=[0, 0, 0], up=[0, 0, 1]) @ TRANSFORM().scale(radius * 60)
-    scene = base_scene(False) | studio(radius, centre, photo_azimuth, side, 1.0)
+    scene = base_scene(False, subject) | studio(radius, centre, photo_azimuth, side, 1.0)
     scene["floor"] = plane(TRANSFORM().scale(radius * 60), colour)
     scene["wall"] = plane(wall, colour)
     return scene | shapes(subject, "subject")
@@ -119,7 +121,7 @@ def plain_scene(subject, radius, centre, photo_azimuth, side, rng):
 
 def alone_scene(subject, radius, centre, photo_azimuth, side, opaque=False):
     """The subject in the light of plain_scene, with nothing around: what the truth views show."""
-    scene = base_scene(True) | studio(radius, centre, photo_azimuth, side, 1.0)
+    scene = base_scene(True, subject) | studio(radius, centre, photo_azimuth, side, 1.0)
     return scene | shapes(subject, "subject", opaque=opaque)
 
 
@@ -158,7 +160,7 @@ def clutter(src, rng, radius, photo_azimuth):
 def outdoor_scene(subject, radius, centre, photo_azimuth, rng, src):
     """The subject on open ground under sun and sky, with houses, trees, cars or street furniture behind."""
     sun = direction(photo_azimuth + rng.uniform(25, 85) * rng.choice([-1, 1]), rng.uniform(28, 55))
-    scene = base_scene(False)
+    scene = base_scene(False, subject)
     sky = {"type": "sunsky", "sun_direction": sun.tolist(), "turbidity": float(rng.uniform(2.5, 5)), "sun_scale": 0.35}
     scene["sky"] = sky
     ground = np.asarray(Image.open(fetch.resolve(str(rng.choice(GROUNDS)), src)).convert("RGB"))

@@ -13,7 +13,7 @@ import torch.nn.functional as F
 
 from nets import CROP_HALF, CROP_NEARNESS
 
-from .cameras import crop, extent, fixed, inverses, look_at, magnified, matrices, orbit, pack, rolled
+from .cameras import crop, extent, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
 from .foliage import broadleaf, leafy
 from .layout import (
@@ -38,7 +38,7 @@ from .layout import (
     TAPER,
 )
 from .lens import defocused, exposed, stored
-from .objects import COMPANIONS, make_object
+from .objects import COMPANIONS, SLENDER, make_object
 from .raycast import cast
 from .textures import make_bank, textured
 
@@ -52,7 +52,8 @@ GREY = 0.5
 class Pool(NamedTuple):
     """Objects to draw from: prims [N, PRIMS, 36], counts [N] int32, grounds [N] (height of the ground).
 
-    companions [M]: the indices of those that often stand near others; foliage [F]: of trees and bushes.
+    companions [M]: the indices of those that often stand near others; foliage [F]: of trees and bushes; slender [L]: of what
+    has thin or pierced parts.
     textures [T, 3, S, S]: see `textures`.
     """
 
@@ -61,6 +62,7 @@ class Pool(NamedTuple):
     grounds: torch.Tensor
     companions: torch.Tensor
     foliage: torch.Tensor
+    slender: torch.Tensor
     textures: torch.Tensor
 
 
@@ -69,12 +71,17 @@ def make_pool(first_seed, count, processes, device="cuda", textures=384):
     seeds = range(first_seed, first_seed + count)
     with Processes(processes) as workers:
         made = workers.map(make_object, seeds, chunksize=64)
+
+    def indices(wanted):
+        return torch.tensor([i for i, m in enumerate(made) if wanted(m)] or [0], device=device)
+
     return Pool(
         prims=torch.from_numpy(np.stack([m.rows for m in made])).to(device),
         counts=torch.tensor([m.count for m in made], dtype=torch.int32, device=device),
         grounds=torch.tensor([m.ground for m in made], dtype=torch.float32, device=device),
-        companions=torch.tensor([i for i, m in enumerate(made) if m.maker in COMPANIONS] or [0], device=device),
-        foliage=torch.tensor([i for i, m in enumerate(made) if m.maker in (leafy, broadleaf)] or [0], device=device),
+        companions=indices(lambda m: m.maker in COMPANIONS),
+        foliage=indices(lambda m: m.maker in (leafy, broadleaf)),
+        slender=indices(lambda m: m.maker in SLENDER),
         textures=make_bank(textures, device),
     )
 
@@ -143,17 +150,16 @@ def scene_batch(pool, n, size=256):
     In half of them a point on the subject says which it is, and it may stand anywhere; in the others it stands near
     the middle.
     """
-    stage = staged(pool, n, size)
+    stage = staged(pool, torch.randint(len(pool.prims), (n,), device=pool.prims.device), size)
     rgb, alpha, depth, shade = seen_by(stage, stage.cameras, size)
     photo = taken(textured(rgb, alpha, depth, pool.textures), rgb, alpha, depth, stage.daylight)
     photo, alpha, depth, shade = mirrored_margins(photo, alpha, depth, shade)
     return SceneBatch(photo, points(alpha, stage.pointed), alpha, depth, shade, stage.elevation)
 
 
-def staged(pool, n, size):
-    """`n` subjects among other objects, seen by hand-held cameras whose pictures have `size` pixels."""
-    device = pool.prims.device
-    chosen = torch.randint(len(pool.prims), (n,), device=device)
+def staged(pool, chosen, size):
+    """The objects of indices `chosen` [n] among others, seen by hand-held cameras whose pictures have `size` pixels."""
+    n, device = len(chosen), chosen.device
     subject = recolour(pool.prims[chosen])
     ground = pool.grounds[chosen]
     pointed = uniform(chosen, 0, 1) < 0.5
@@ -183,108 +189,6 @@ def taken(photo, rgb, alpha, depth, daylight):
     photo = calmed(defocused(photo, alpha, depth), rgb, daylight, 0.5)
     photo = calmed(exposed(photo), photo, daylight, 1)
     return calmed(stored(photo), photo, daylight, 0.7)
-
-
-class DetailBatch(NamedTuple):
-    """photo [n, 3, S, S] sRGB 0..1, around the subject; rough [n, 1, S, S], a mask of it that is not fine; alpha, depth and
-    shade [n, S, S] as in `SceneBatch`; before [n, S, S], the rough mask before it was worn."""
-
-    photo: torch.Tensor
-    rough: torch.Tensor
-    alpha: torch.Tensor
-    depth: torch.Tensor
-    shade: torch.Tensor
-    before: torch.Tensor
-
-
-def detail_batch(pool, n, masks, size=384, seen=256):
-    """The same scenes as in `scene_batch`, photographed again with the subject alone in the picture.
-
-    `masks` is SceneNet's answer to a photo and point [n, 4, seen, seen]: a mask [n, 1, seen, seen].
-    """
-    stage = staged(pool, n, seen)
-    rgb, alpha, depth, _ = seen_by(stage, stage.cameras, seen)
-    photo = taken(textured(rgb, alpha, depth, pool.textures), rgb, alpha, depth, stage.daylight)
-    whole = masks(torch.cat([photo, points(alpha, stage.pointed)], 1))
-    # What the program looks at is the box of the rough mask; that may be too large or too small.
-    found = (uniform(alpha, 0, 1) < 0.3) & ((whole[:, 0] > 0.5).flatten(1).sum(1) > 40)
-    box = close_up(torch.where(found[:, None, None], whole[:, 0], alpha))
-    rgb, alpha, depth, shade = seen_by(stage, magnified(stage.cameras, box, seen, size), size)
-    photo = taken(coarsened(textured(rgb, alpha, depth, pool.textures)), rgb, alpha, depth, stage.daylight)
-    before = cut_out(whole, box, seen, size)
-    return DetailBatch(photo, worn(before, alpha[:, None]), alpha, depth, shade, before[:, 0])
-
-
-def close_up(mask):
-    """Boxes [n, 4] (left, top, right, bottom; pixels) around masks [n, S, S] with more or less room; whole pictures where none is."""
-    n, size = mask.shape[0], mask.shape[-1]
-    x0, x1 = extent(mask.amax(1) > 0.3)
-    y0, y1 = extent(mask.amax(2) > 0.3)
-    empty = (x1 <= x0) | (y1 <= y0)
-    low, high = torch.stack([x0, y0], 1), torch.stack([x1, y1], 1)
-    longest = (high - low).amax(1, keepdim=True)
-    room = torch.rand(2, n, 2, device=mask.device) * 0.38 - 0.03
-    low, high = low - room[0] * longest, high + room[1] * longest
-    # Neither too narrow nor too small to say anything.
-    least = (high - low).amax(1, keepdim=True) * uniform(mask, 0.5, 1)[:, None]
-    more = (torch.maximum(least, torch.full_like(least, size / 12)) - (high - low)).clamp(min=0) / 2
-    low, high = (low - more).clamp(0, size - 8), (high + more).clamp(8, size)
-    high = torch.maximum(high, low + 8)
-    box = torch.cat([low, high], 1)
-    return torch.where(empty[:, None], fixed((0.0, 0.0, 1.0, 1.0), mask.device) * size, box)
-
-
-def cut_out(mask, box, seen, size):
-    """The box [n, 4] of masks [n, 1, seen, seen], resampled to `size` pixels."""
-    half = (box[:, 2:] - box[:, :2]) / seen
-    middle = (box[:, 2:] + box[:, :2]) / seen - 1
-    theta = torch.zeros(len(mask), 2, 3, device=mask.device)
-    theta[:, 0, 0], theta[:, 1, 1], theta[:, :, 2] = half[:, 0], half[:, 1], middle
-    grid = F.affine_grid(theta, (len(mask), 1, size, size), align_corners=False)
-    return F.grid_sample(mask, grid, mode="bilinear", padding_mode="border", align_corners=False)
-
-
-def coarsened(photo):
-    """Some photos [n, 3, S, S] with half or a third of their pixels: a small or distant subject."""
-    chance = torch.rand(len(photo), 1, 1, 1, device=photo.device)
-    for share, by in ((0.4, 2), (0.15, 3)):
-        few = F.interpolate(F.avg_pool2d(photo, by), scale_factor=float(by), mode="bilinear")
-        photo = torch.where(chance < share, few, photo)
-    return photo
-
-
-def worn(rough, alpha):
-    """Rough masks [n, 1, S, S] with the faults that masks of real photos have: worse than those of generated ones.
-
-    Thin parts lost, gaps filled, the edge moved here and there, pieces of what stands beside the subject taken in, or parts
-    of the subject (alpha [n, 1, S, S]) left out.
-    """
-    n, _, size, _ = rough.shape
-    device = rough.device
-
-    def chance(share):
-        return torch.rand(n, 1, 1, 1, device=device) < share
-
-    def field(cells):
-        return F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
-
-    def grown(x, by):
-        return F.max_pool2d(x, 2 * by + 1, 1, by)
-
-    def shrunk(x, by):
-        return -grown(-x, by)
-
-    few = size // 48
-    rough = torch.where(chance(0.25), grown(shrunk(rough, few), few), rough)
-    rough = torch.where(chance(0.15), shrunk(grown(rough, few), few), rough)
-    around = F.avg_pool2d(grown(grown(rough, 12), 12), 9, 1, 4)
-    near = (around - F.avg_pool2d(shrunk(rough, 12), 9, 1, 4)).clamp(0, 1)
-    moved = (rough + 0.7 * field(12) * near).clamp(0, 1)
-    rough = torch.where(chance(0.4), moved, rough)
-    piece = torch.sigmoid((field(7) - 1.0) * 12)
-    rough = torch.where(chance(0.2), torch.maximum(rough, piece * around * 0.9), rough)
-    rough = torch.where(chance(0.2), rough * (1 - torch.sigmoid((field(7) - 1.2) * 12) * alpha), rough)
-    return torch.where(chance(0.3), F.avg_pool2d(F.pad(rough, (4,) * 4, mode="replicate"), 9, 1), rough)
 
 
 def calmed(changed, photo, daylight, chance):

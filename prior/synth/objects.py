@@ -105,7 +105,12 @@ MAKERS = [
 # What often stands beside, behind or before other things.
 COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, person, gabled_house, eaved_house, block, round_car, seat)
 
-
+# What has thin or pierced parts.
+SLENDER = {
+    *(bike, cycle, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
+    *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
+    *(figure, person, quadruped, bird, seat, furniture, instrument),
+}
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),

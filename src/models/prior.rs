@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.1",
-    sha256: "dc43282acbe5019fa3af02b69cdeb3edb08663daeeba74b40463214739aec55d",
+    version: "0.2",
+    sha256: "d1fce8853f7be259fde8fe48ea64bedc4557231231e90bd5403a383ad7cec88c",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 
