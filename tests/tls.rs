@@ -186,6 +186,143 @@ fn who_has_no_certificate_of_the_authority_gets_nowhere() {
     );
 }
 
+/// With `Authorization: Certificate`, or by a session that was begun with it.
+#[cfg(unix)]
+#[test]
+fn a_certificate_is_the_account_that_it_is_bound_to() {
+    let certificates = Certificates::new();
+    let data = certificates.data();
+    let token = account(&data, "jane", "operator");
+    let admin = account(&data, "root", "admin");
+    let by_hand = |verb: &str, name: &str, certificate: &str| {
+        let out = orb(&data).args(["serve", "account", verb, name, certificate]).output().unwrap();
+        (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    let own = certificates.text("client.pem");
+    assert_eq!(by_hand("bind", "jane", &own).0, Some(0));
+    for (verb, name, certificate, words) in [
+        ("bind", "root", own.as_str(), "bound to nobody"),
+        ("bind", "nobody", &certificates.text("client-two.pem"), "name of an account"),
+        ("unbind", "root", &own, "bound to root"),
+        ("bind", "jane", &certificates.text("client.key"), "CERTIFICATE"),
+    ] {
+        let found = by_hand(verb, name, certificate);
+        assert!(found.0 == Some(2) && found.1.contains(words), "{verb} {name}: {found:?}");
+    }
+    // What was revoked later was bound before.
+    assert_eq!(by_hand("bind", "jane", &certificates.text("client-revoked.pem")).0, Some(0));
+    let (authority, list) = (certificates.text("authority.pem"), certificates.text("authority.crl.pem"));
+    let mut served = certificates.serve(&["--client-ca", &authority, "--client-crl", &list]);
+    let to = |own: &str, method: &str, path: &str, headers: &str, body: &str| {
+        let client = certificates.client("authority", Some(own), &TLS13);
+        let length = body.len();
+        let head =
+            format!("{method} {path} HTTP/1.0\r\nHost: orb.example\r\nContent-Length: {length}\r\n{headers}\r\n{body}");
+        ask(&served, &client, &head)
+    };
+    let status = |own: &str, method: &str, path: &str, headers: &str, body: &str| {
+        let answer = to(own, method, path, headers, body).unwrap();
+        answer.split(' ').nth(1).unwrap().parse::<u16>().unwrap()
+    };
+    let by_certificate = "Authorization: Certificate\r\n";
+    let who = to("client", "GET", "/api/v1/session", by_certificate, "").unwrap();
+    assert!(who.contains("\"account\":\"jane\"") && who.contains("\"csrf\":null"), "{who}");
+    // It has to be said: a connection alone is nobody.
+    assert_eq!(status("client", "GET", "/api/v1/session", "", ""), 401);
+    // Of the right authority, and nobody's.
+    assert_eq!(status("client-two", "GET", "/api/v1/session", by_certificate, ""), 401);
+    let json = "Content-Type: application/json\r\n";
+    assert_eq!(status("client-two", "POST", "/api/v1/session", json, "{}"), 401);
+    // Revoked, out of date, of another authority: not even the handshake, whatever they are bound to.
+    for own in ["client-revoked", "client-over", "client-of-other"] {
+        let answer = to(own, "GET", "/api/v1/session", by_certificate, "");
+        assert!(answer.is_err(), "{own}: {answer:?}");
+    }
+    // A session is its certificate's alone.
+    let begun = to("client", "POST", "/api/v1/session", json, "{}").unwrap();
+    let cookie = begun.lines().find_map(|l| l.strip_prefix("set-cookie: ")).unwrap();
+    let cookie = format!("Cookie: {}\r\n", cookie.split(';').next().unwrap());
+    assert_eq!(status("client", "GET", "/api/v1/jobs", &cookie, ""), 200);
+    assert_eq!(status("client-two", "GET", "/api/v1/jobs", &cookie, ""), 401, "carried off");
+    assert_eq!(status("client", "GET", "/api/v1/jobs", &cookie, ""), 200, "and goes on where it belongs");
+    let elsewhere = format!("{json}Sec-Fetch-Site: cross-site\r\n");
+    assert_eq!(status("client", "POST", "/api/v1/session", &elsewhere, "{}"), 403);
+    assert_eq!(status("client", "POST", "/api/v1/jobs/x/cancel", &cookie, ""), 403, "without the session's secret");
+    // A token's session is a token's, by any certificate.
+    let bearer = format!("Authorization: Bearer {token}\r\n");
+    assert_eq!(status("client-two", "GET", "/api/v1/jobs", &bearer, ""), 200);
+    // What administrators do to it.
+    let root = format!("Authorization: Bearer {admin}\r\n{json}");
+    let sha256 = hex::encode(<sha2::Sha256 as sha2::Digest>::digest(
+        CertificateDer::from_pem_file(certificates.path("client.pem")).unwrap(),
+    ));
+    let listed = to("client", "GET", "/api/v1/accounts", &root, "").unwrap();
+    assert!(listed.contains(&sha256), "{listed}");
+    let at = "/api/v1/accounts/jane/certificates";
+    assert_eq!(status("client", "POST", "/api/v1/accounts/jane/disable", &root, ""), 204);
+    assert_eq!(status("client", "GET", "/api/v1/session", by_certificate, ""), 401, "disabled");
+    assert_eq!(status("client", "POST", "/api/v1/accounts/jane/enable", &root, ""), 204);
+    let begun = to("client", "POST", "/api/v1/session", json, "{}").unwrap();
+    let cookie = begun.lines().find_map(|l| l.strip_prefix("set-cookie: ")).unwrap();
+    let cookie = format!("Cookie: {}\r\n", cookie.split(';').next().unwrap());
+    assert_eq!(status("client", "DELETE", &format!("{at}/{sha256}"), &bearer, ""), 403, "not an administrator");
+    assert_eq!(status("client", "DELETE", &format!("{at}/{}", "0".repeat(64)), &root, ""), 404);
+    assert_eq!(status("client", "DELETE", &format!("{at}/{sha256}"), &root, ""), 204);
+    assert_eq!(status("client", "GET", "/api/v1/jobs", &cookie, ""), 401, "its session is over");
+    assert_eq!(status("client", "GET", "/api/v1/session", by_certificate, ""), 401);
+    let colons: Vec<String> =
+        sha256.to_uppercase().as_bytes().chunks(2).map(|c| String::from_utf8_lossy(c).into()).collect();
+    let body = format!("{{\"sha256\":\"{}\"}}", colons.join(":"));
+    assert_eq!(status("client", "POST", at, &bearer, &body), 403, "not an administrator");
+    assert_eq!(status("client", "POST", at, &root, "{\"sha256\":\"00\"}"), 422);
+    assert_eq!(status("client", "POST", at, &root, &body), 204);
+    assert_eq!(status("client", "POST", at, &root, &body), 409, "bound");
+    assert_eq!(status("client", "GET", "/api/v1/session", by_certificate, ""), 200);
+    let events = stop(&mut served, &certificates);
+    for (kind, about) in [
+        ("account.change", "change=bound"),
+        ("account.change", "change=unbound"),
+        ("account.change", &format!("certificate_sha256={}", &sha256[..16])),
+        ("access.refused", "CERTIFICATE_UNKNOWN"),
+        ("access.refused", "CERTIFICATE_OTHER"),
+        ("access.refused", "CLIENT_CERTIFICATE"),
+        ("access.refused", "ACCOUNT_DISABLED"),
+        ("session.begin", "account=jane"),
+        ("serve.start", "revocation_lists=read"),
+    ] {
+        assert!(events.lines().any(|l| l.contains(kind) && l.contains(about)), "{kind} {about} in {events}");
+    }
+    // A list of another authority's says nothing of these: nobody comes in.
+    let other = certificates.text("other.crl.pem");
+    let served = certificates.serve(&["--client-ca", &authority, "--client-crl", &other]);
+    let client = certificates.client("authority", Some("client"), &TLS13);
+    assert!(ask(&served, &client, &get("/health", "orb.example")).is_err());
+}
+
+#[test]
+fn what_is_wrong_with_a_revocation_list_is_said() {
+    let certificates = Certificates::new();
+    std::fs::write(certificates.path("damaged.crl.pem"), "-----BEGIN X509 CRL-----\nMAA=\n-----END X509 CRL-----\n")
+        .unwrap();
+    for (authority, list, words) in [
+        (true, "authority-over.crl.pem", "good until 2020-01-02"),
+        (true, "authority.pem", "no PEM block of type X509 CRL"),
+        (true, "damaged.crl.pem", "damaged"),
+        (false, "authority.crl.pem", "--client-ca"),
+    ] {
+        let mut command = orb(&certificates.data());
+        command.args(["serve", "--bind", "127.0.0.1:0", "--max-marking", "UNCLASSIFIED"]);
+        command.arg("--tls-cert").arg(certificates.path("server.pem"));
+        command.arg("--tls-key").arg(certificates.path("server.key"));
+        if authority {
+            command.arg("--client-ca").arg(certificates.path("authority.pem"));
+        }
+        let out = command.arg("--client-crl").arg(certificates.path(list)).output().unwrap();
+        let said = String::from_utf8_lossy(&out.stderr);
+        assert!(out.status.code() == Some(2) && said.contains(words), "{list}: {said}");
+    }
+}
+
 #[test]
 fn openssl_shakes_hands() {
     let required = std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1");

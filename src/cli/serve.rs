@@ -15,6 +15,7 @@ use tokio::sync::Semaphore;
 use super::device::Device;
 use super::key::KeyArgs;
 use crate::audit::{Marking, time};
+use crate::serve::account::Fingerprint;
 use crate::serve::administration::{By, TOKEN_DAYS};
 use crate::serve::live::Live;
 use crate::serve::place::Place;
@@ -113,9 +114,14 @@ struct TlsArgs {
     #[arg(long, value_name = "PEM", requires = "tls_cert")]
     tls_key: Option<PathBuf>,
 
-    /// Answer to those alone who have a certificate of one of these authorities, PEM. They need a token besides.
+    /// Answer to those alone who have a certificate of one of these authorities, PEM. They need a token besides, unless the
+    /// certificate is bound to an account (`orb serve account bind`).
     #[arg(long, value_name = "PEM", requires = "tls_cert")]
     client_ca: Option<PathBuf>,
+
+    /// Certificates that these authorities revoked, PEM (may be given several times): a list of each authority in a chain.
+    #[arg(long, value_name = "PEM", requires = "client_ca")]
+    client_crl: Vec<PathBuf>,
 
     /// A TLS proxy on this machine stands before it: browsers send their cookies under TLS alone.
     #[arg(long, conflicts_with = "tls_cert")]
@@ -129,7 +135,7 @@ struct TlsArgs {
 impl TlsArgs {
     fn files(&self) -> Option<Files> {
         let (certificate, key) = (self.tls_cert.clone()?, self.tls_key.clone()?);
-        Some(Files { certificate, key, client_ca: self.client_ca.clone() })
+        Some(Files { certificate, key, client_ca: self.client_ca.clone(), client_crl: self.client_crl.clone() })
     }
 
     /// For the ledger.
@@ -189,6 +195,22 @@ enum AccountVerb {
         #[command(flatten)]
         data: DataArgs,
     },
+    /// Bind a client certificate to an account: who comes with it is this account, without a token
+    Bind {
+        name: String,
+        /// Its file, PEM, or its SHA-256 in hexadecimal digits
+        certificate: String,
+        #[command(flatten)]
+        data: DataArgs,
+    },
+    /// Take a client certificate from an account
+    Unbind {
+        name: String,
+        /// Its file, PEM, or its SHA-256 in hexadecimal digits
+        certificate: String,
+        #[command(flatten)]
+        data: DataArgs,
+    },
     /// Print another token for an account; the one before is no longer good
     Token {
         name: String,
@@ -214,11 +236,13 @@ pub fn run(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
 }
 
 fn account(verb: &AccountVerb) -> Result<u8> {
-    use AccountVerb::{Add, Disable, Enable, List, Token};
+    use AccountVerb::{Add, Bind, Disable, Enable, List, Token, Unbind};
     let (Add { data: args, .. }
     | List { data: args, .. }
     | Disable { data: args, .. }
     | Enable { data: args, .. }
+    | Bind { data: args, .. }
+    | Unbind { data: args, .. }
     | Token { data: args, .. }) = verb;
     let data = args.folder()?;
     let (database, _) = args.database(&Place::open(&data)?)?;
@@ -233,8 +257,18 @@ fn account(verb: &AccountVerb) -> Result<u8> {
         Token { name, days, .. } => by.renew(name, *days)?.to_string(),
         Disable { name, .. } => by.disable(name, true).map(|()| format!("{name} is disabled"))?,
         Enable { name, .. } => by.disable(name, false).map(|()| format!("{name} is enabled"))?,
+        Bind { name, certificate, .. } => {
+            let certificate = fingerprint(certificate)?;
+            by.bind(name, &certificate).map(|()| format!("{name} is who comes with {certificate}"))?
+        }
+        Unbind { name, certificate, .. } => {
+            let certificate = fingerprint(certificate)?;
+            by.unbind(name, &certificate).map(|()| format!("{certificate} is nobody's"))?
+        }
         List { json, .. } => {
-            let told: Vec<_> = database.accounts()?.iter().map(|a| a.told(now)).collect();
+            let certificates = database.certificates()?;
+            let of = |name: &str| certificates.get(name).map_or(&[][..], Vec::as_slice);
+            let told: Vec<_> = database.accounts()?.iter().map(|a| a.told(of(&a.name), now)).collect();
             match json {
                 true => serde_json::json!({ "accounts": told }).to_string(),
                 false => told.iter().map(line).collect::<Vec<_>>().join("\n"),
@@ -245,6 +279,14 @@ fn account(verb: &AccountVerb) -> Result<u8> {
         super::write_out(&format!("{text}\n"));
     }
     Ok(0)
+}
+
+/// Of a file, or as it is.
+fn fingerprint(text: &str) -> Result<Fingerprint> {
+    match text.parse() {
+        Ok(fingerprint) => Ok(fingerprint),
+        Err(_) => crate::serve::tls::fingerprint(std::path::Path::new(text)),
+    }
 }
 
 fn line(a: &crate::serve::account::Told) -> String {
@@ -258,8 +300,12 @@ fn line(a: &crate::serve::account::Told) -> String {
         "enabled"
     };
     let used = a.last_used.as_deref().unwrap_or("never used");
+    let certificates = match a.certificates.len() {
+        0 => String::new(),
+        n => format!("  {n} certificates"),
+    };
     format!(
-        "{:<20} {:<9} {:<28} {:<16} token until {}  {used}",
+        "{:<20} {:<9} {:<28} {:<16} token until {}  {used}{certificates}",
         a.name,
         state,
         roles.join(","),
@@ -322,6 +368,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         tls.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
         about.push(("certificate_sha256", &tls.certificate_sha256));
         about.push(("client_certificates", if tls.asks { "required" } else { "not asked for" }));
+        about.push(("revocation_lists", if args.tls.client_crl.is_empty() { "none" } else { "read" }));
     }
     server.recorder.act("serve.start", &about)?;
     super::write_out(&format!("{banner}\nhttp{}://{bound}/\n", if server.tls { "s" } else { "" }));

@@ -4,6 +4,8 @@
 //! in 256 bits that a slow hash would have to protect, and a slow one would let whoever sends tokens keep the server busy.
 //! People choose no secrets here, so there are no passwords to be hashed.
 
+use std::str::FromStr;
+
 use aws_lc_rs::constant_time::verify_slices_are_equal;
 use base64::Engine as _;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -38,6 +40,47 @@ pub struct Account {
     pub last_used: Option<u64>,
 }
 
+/// The SHA-256 of a client's certificate, as it was sent (DER): of all that a certificate says of itself the one thing that no
+/// other has, whatever an authority writes into it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fingerprint([u8; 32]);
+
+impl Fingerprint {
+    pub fn new(sha256: [u8; 32]) -> Fingerprint {
+        Fingerprint(sha256)
+    }
+
+    pub fn of(der: &[u8]) -> Fingerprint {
+        Fingerprint(Sha256::digest(der).into())
+    }
+
+    pub fn bytes(&self) -> &[u8] {
+        &self.0
+    }
+}
+
+impl std::fmt::Display for Fingerprint {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&hex::encode(self.0))
+    }
+}
+
+impl FromStr for Fingerprint {
+    type Err = Error;
+
+    /// 64 hexadecimal digits, with colons between them or not, as `openssl x509 -fingerprint -sha256` prints them.
+    fn from_str(text: &str) -> Result<Fingerprint> {
+        let digits: String = text.chars().filter(|c| *c != ':').collect();
+        let bytes = hex::decode(digits).ok().and_then(|bytes| bytes.try_into().ok());
+        bytes.map(Fingerprint).ok_or_else(|| {
+            Error::usage("certificate")
+                .expected("the SHA-256 of a certificate, 64 hexadecimal digits")
+                .found(format!("{:?}", text.chars().take(80).collect::<String>()))
+                .advice("`openssl x509 -in FILE -noout -fingerprint -sha256` prints it.")
+        })
+    }
+}
+
 /// An account as it is told to administrators: nothing of its token.
 #[derive(Clone, Debug, Serialize, ToSchema)]
 #[schema(as = Account)]
@@ -52,10 +95,12 @@ pub struct Told {
     pub last_used: Option<String>,
     pub disabled: bool,
     pub locked: bool,
+    /// SHA-256 of the client certificates that are bound to it, hexadecimal.
+    pub certificates: Vec<String>,
 }
 
 impl Account {
-    pub fn told(&self, now: u64) -> Told {
+    pub fn told(&self, certificates: &[Fingerprint], now: u64) -> Told {
         Told {
             name: self.name.clone(),
             roles: self.roles.iter().collect(),
@@ -65,6 +110,7 @@ impl Account {
             last_used: self.last_used.map(format_utc),
             disabled: self.disabled,
             locked: self.locked_until > now,
+            certificates: certificates.iter().map(Fingerprint::to_string).collect(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use zeroize::Zeroizing;
 
-use super::account::{Account, check_name, new_token};
+use super::account::{Account, Fingerprint, check_name, new_token};
 use super::database::Database;
 use super::recorder::Recorder;
 use super::role::Roles;
@@ -76,6 +76,45 @@ impl By<'_> {
         self.there(name)?;
         self.record("account.change", name, &[("change", if disabled { "disabled" } else { "enabled" })])?;
         self.database.set_disabled(name, disabled).map(drop)
+    }
+
+    /// Whoever comes with this certificate is this account from now on.
+    ///
+    /// # Errors
+    /// Usage, without such an account, or where the certificate is bound already. As [`Recorder::act`].
+    pub fn bind(&self, name: &str, certificate: &Fingerprint) -> Result<()> {
+        self.there(name)?;
+        let taken = || {
+            Error::usage("certificate")
+                .expected("one that is bound to nobody")
+                .found(certificate.to_string())
+                .advice("`orb serve account list --json` says whose it is; unbind it there first.")
+        };
+        if self.database.bound_to(certificate)?.is_some() {
+            return Err(taken());
+        }
+        let sha256 = certificate.to_string();
+        self.record("account.change", name, &[("change", "bound"), ("certificate_sha256", &sha256)])?;
+        match self.database.bind(certificate, name, self.now)? {
+            true => Ok(()),
+            false => Err(taken()),
+        }
+    }
+
+    /// It is nobody's any more.
+    ///
+    /// # Errors
+    /// Usage, where it is not bound to this account. As [`Recorder::act`].
+    pub fn unbind(&self, name: &str, certificate: &Fingerprint) -> Result<()> {
+        self.there(name)?;
+        if self.database.bound_to(certificate)?.is_none_or(|a| a.name != name) {
+            return Err(Error::usage("certificate")
+                .expected(format!("one that is bound to {name}"))
+                .found(certificate.to_string()));
+        }
+        let sha256 = certificate.to_string();
+        self.record("account.change", name, &[("change", "unbound"), ("certificate_sha256", &sha256)])?;
+        self.database.unbind(certificate, name).map(drop)
     }
 
     fn there(&self, name: &str) -> Result<()> {

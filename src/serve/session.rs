@@ -5,7 +5,8 @@ use std::sync::Mutex;
 
 use sha2::{Digest as _, Sha256};
 
-use super::{account, lock, random};
+use super::account::{self, Fingerprint};
+use super::{lock, random};
 use crate::Result;
 
 /// Milliseconds without a request, and altogether.
@@ -15,10 +16,18 @@ pub const LONGEST: u64 = 12 * 3600 * 1000;
 const MOST_EACH: usize = 16;
 const MOST: usize = 4096;
 
+/// What a session was begun with, and so what it ends with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// The SHA-256 of the account's token: another token ends the session.
+    Token(Vec<u8>),
+    /// A certificate: the session is that certificate's alone, and ends when it is no longer the account's.
+    Certificate(Fingerprint),
+}
+
 struct Session {
     account: String,
-    /// What the account's token was: another one ends the session.
-    token_sha256: Vec<u8>,
+    by: Proof,
     csrf: String,
     began: u64,
     used: u64,
@@ -35,7 +44,7 @@ pub struct Begun {
 /// A session that goes on.
 pub struct Known {
     pub account: String,
-    pub token_sha256: Vec<u8>,
+    pub by: Proof,
     csrf: String,
 }
 
@@ -69,7 +78,7 @@ impl Sessions {
     ///
     /// # Errors
     /// Environment, without random numbers.
-    pub fn begin(&self, name: &str, token_sha256: &[u8], now: u64) -> Result<Begun> {
+    pub fn begin(&self, name: &str, by: Proof, now: u64) -> Result<Begun> {
         let begun = Begun { id: hex::encode(random::<32>()?), csrf: hex::encode(random::<32>()?) };
         let mut all = lock(&self.0);
         all.retain(|_, s| !s.is_over(now));
@@ -81,13 +90,7 @@ impl Sessions {
         } else if all.len() >= MOST {
             oldest(&all, false).map(|k| all.remove(&k));
         }
-        let session = Session {
-            account: name.to_owned(),
-            token_sha256: token_sha256.to_vec(),
-            csrf: begun.csrf.clone(),
-            began: now,
-            used: now,
-        };
+        let session = Session { account: name.to_owned(), by, csrf: begun.csrf.clone(), began: now, used: now };
         all.insert(key(&begun.id), session);
         Ok(begun)
     }
@@ -96,11 +99,7 @@ impl Sessions {
         let mut all = lock(&self.0);
         let session = all.get_mut(&key(id)).filter(|s| !s.is_over(now))?;
         session.used = now;
-        Some(Known {
-            account: session.account.clone(),
-            token_sha256: session.token_sha256.clone(),
-            csrf: session.csrf.clone(),
-        })
+        Some(Known { account: session.account.clone(), by: session.by.clone(), csrf: session.csrf.clone() })
     }
 
     pub fn end(&self, id: &str) {
@@ -116,22 +115,26 @@ impl Sessions {
 mod tests {
     use super::*;
 
+    fn token() -> Proof {
+        Proof::Token(b"t".to_vec())
+    }
+
     #[test]
     fn they_end() {
         let sessions = Sessions::default();
-        let a = sessions.begin("jane", b"t", 0).unwrap();
+        let a = sessions.begin("jane", token(), 0).unwrap();
         assert!(sessions.find(&a.id, IDLE - 1).is_some_and(|s| s.account == "jane" && s.has_csrf(&a.csrf)));
         assert!(sessions.find(&a.id, 2 * IDLE - 2).is_some(), "used since");
         assert!(sessions.find(&a.id, 4 * IDLE).is_none(), "not used for too long");
-        let b = sessions.begin("jane", b"t", 0).unwrap();
+        let b = sessions.begin("jane", token(), 0).unwrap();
         (1..).map(|i| i * (IDLE - 1)).take_while(|t| *t < LONGEST).for_each(|t| drop(sessions.find(&b.id, t)));
         assert!(sessions.find(&b.id, LONGEST).is_none(), "however much it is used");
-        let c = sessions.begin("jane", b"t", 0).unwrap();
+        let c = sessions.begin("jane", token(), 0).unwrap();
         sessions.end(&c.id);
         assert!(sessions.find(&c.id, 1).is_none(), "signed out");
-        let first = sessions.begin("jane", b"t", 10).unwrap();
+        let first = sessions.begin("jane", token(), 10).unwrap();
         for i in 0..MOST_EACH as u64 {
-            sessions.begin("jane", b"t", 20 + i).unwrap();
+            sessions.begin("jane", token(), 20 + i).unwrap();
         }
         assert!(sessions.find(&first.id, 50).is_none(), "too many of one account");
         assert!(sessions.find("", 0).is_none());

@@ -116,7 +116,7 @@ pub struct Submission {
     pub cui_dissemination: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cui_poc: Option<String>,
-    /// Made by the server, as the next two: the photos' file names.
+    /// Made by the server, as the next three: the photos' file names.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schema(read_only)]
     pub photos: Vec<String>,
@@ -128,11 +128,17 @@ pub struct Submission {
     #[serde(skip_serializing_if = "is_false")]
     #[schema(read_only)]
     pub control: bool,
+    /// There are country codes beyond those that Orb lists.
+    #[serde(skip_serializing_if = "is_false")]
+    #[schema(read_only)]
+    pub register: bool,
 }
 
 /// Where a job's folder has what belongs to several photos.
 pub const POSES: &str = "in/poses";
 const CONTROL: &str = "in/gcp.csv";
+/// Country codes that a marking may use.
+pub const REGISTER: &str = "in/countries.txt";
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde gives it so")]
 fn is_false(value: &bool) -> bool {
@@ -179,7 +185,9 @@ impl Submission {
     /// # Errors
     /// Usage, naming the field or the value.
     pub fn of_fields(fields: BTreeMap<String, String>) -> Result<Submission> {
-        for (field, files) in [("photos", "photo"), ("poses", "poses"), ("control", "gcp")] {
+        for (field, files) in
+            [("photos", "photo"), ("poses", "poses"), ("control", "gcp"), ("register", "country_register")]
+        {
             if fields.contains_key(field) {
                 return Err(Error::usage(field).expected(format!("files in fields named `{files}`")).found("a text"));
             }
@@ -246,6 +254,7 @@ impl Submission {
         let list = self.poses.iter().find(|p| p.ends_with(".json")).map(|list| format!("{POSES}/{list}"));
         say("poses", list.or((!self.poses.is_empty()).then(|| POSES.to_owned())));
         say("gcp", self.control.then(|| CONTROL.to_owned()));
+        say("country-register", self.register.then(|| REGISTER.to_owned()));
         out
     }
 
@@ -285,6 +294,7 @@ impl Submission {
             || self.classified_by.is_some()
             || self.derived_from.is_some()
             || self.declassify_on.is_some()
+            || self.register
     }
 }
 

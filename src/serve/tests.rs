@@ -108,6 +108,8 @@ fn roles(on: On) {
         ("POST", "/api/v1/accounts/x/disable".to_owned(), "admin"),
         ("POST", "/api/v1/accounts/x/enable".to_owned(), "admin"),
         ("POST", "/api/v1/accounts/x/token".to_owned(), "admin"),
+        ("POST", "/api/v1/accounts/x/certificates".to_owned(), "admin"),
+        ("DELETE", format!("/api/v1/accounts/x/certificates/{id}{id}"), "admin"),
         ("GET", "/api/v1/events".to_owned(), "auditor"),
         ("GET", "/metrics".to_owned(), "monitor"),
     ] {
@@ -297,6 +299,35 @@ fn markings_and_ceilings(on: On) {
             answer.text()
         );
     }
+    // A coalition that Orb knows nothing of, by a register that only who marks may send.
+    let with_codes = |who: &As, codes: &str| {
+        let form = [
+            ("name=\"origin\"", "34.5,-118.4,740"),
+            ("name=\"classification\"", "CUI//REL TO USA, ZZTF"),
+            ("name=\"country_register\"; filename=\"../codes.txt\"", codes),
+            ("name=\"photo\"; filename=\"a.png\"", "PHOTO"),
+        ];
+        let mut body = Vec::new();
+        for (head, value) in form {
+            let bytes = if value == "PHOTO" { photo(64, 64) } else { value.as_bytes().to_vec() };
+            let head = format!("--X\r\nContent-Disposition: form-data; {head}\r\n\r\n");
+            body.extend([head.as_bytes(), &bytes, b"\r\n"].concat());
+        }
+        body.extend(b"--X--\r\n");
+        let request = Request::builder().method("POST").uri("/api/v1/jobs").header("host", "localhost");
+        let request = request.header("authorization", format!("Bearer {}", who.token.clone().unwrap()));
+        let request = request.header("content-type", "multipart/form-data; boundary=X");
+        fixture.send(request.body(Body::from(body)).unwrap())
+    };
+    let unmarked = As::from(fixture.account("plain", "operator", "SECRET").as_str());
+    assert_eq!(with_codes(&unmarked, "ZZTF").status, 403);
+    let unknown = with_codes(&high, "ZZTE of another");
+    assert!(unknown.status == 422 || unknown.status == 403, "{}", unknown.text());
+    assert!(unknown.text().contains("ZZTF"), "{}", unknown.text());
+    let refused = with_codes(&high, "zz");
+    assert!(refused.status == 422 && refused.text().contains("line 1"), "{}", refused.text());
+    let known = with_codes(&high, "# of a test\nZZTF a task force\n");
+    assert_eq!(known.json()["code"], "KEY_REQUIRED", "all but the key is there: {}", known.text());
     // A job that is marked is not there for who is below it.
     let id = fixture.submitted(&high);
     fixture.finish(&[("scene.ply", b"ply")]);
@@ -332,7 +363,7 @@ fn markings_and_ceilings(on: On) {
     assert_eq!(add("CUI", json!(["viewer"])), 201);
     assert_eq!(add("CUI", json!(["viewer"])), 409, "taken");
     let all = fixture.get("/api/v1/accounts", &admin);
-    assert!(all.json()["accounts"].as_array().unwrap().len() == 5 && !all.text().contains("sha256"));
+    assert!(all.json()["accounts"].as_array().unwrap().len() == 6 && !all.text().contains("sha256"));
 }
 
 fn results_are_found_by_their_names_alone(on: On) {

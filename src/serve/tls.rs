@@ -1,7 +1,8 @@
 //! TLS for the port, where a certificate was named: rustls over AWS-LC, versions 1.2 (RFC 5246) and 1.3 (RFC 8446).
 //!
-//! With `--client-ca` a connection needs a certificate of one of these authorities. It only admits the connection: who
-//! somebody is, a token says, as everywhere. Sessions are not resumed, so that every connection's certificate is looked at.
+//! With `--client-ca` a connection needs a certificate of one of these authorities, and with `--client-crl` one that none of
+//! them revoked. It admits the connection; who somebody is, a token says, or the certificate where it is bound to an account.
+//! TLS sessions are not resumed, so that every connection's certificate is looked at.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,16 +15,19 @@ use rustls::sign::{CertifiedKey, SingleCertAndKey};
 use rustls::version::{TLS12, TLS13};
 use rustls::{InconsistentKeys, RootCertStore, ServerConfig};
 use rustls_pki_types::pem::PemObject as _;
-use rustls_pki_types::{CertificateDer, PrivateKeyDer, ServerName};
+use rustls_pki_types::{CertificateDer, CertificateRevocationListDer, PrivateKeyDer, ServerName};
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
 use tokio::time::timeout;
 use tokio_rustls::TlsAcceptor;
 use tokio_rustls::server::TlsStream;
 use webpki::EndEntityCert;
 use x509_cert::Certificate;
+use x509_cert::crl::CertificateList;
 use x509_cert::ext::pkix::{BasicConstraints, ExtendedKeyUsage};
 
 use super::Server;
+use super::account::Fingerprint;
+use super::api::Peer;
 use crate::audit::canonical::sha256_hex;
 use crate::audit::time::format_utc;
 use crate::audit::{disk, keys, pem};
@@ -41,6 +45,8 @@ const MOST: usize = 64;
 const SERVES: [&str; 2] = ["1.3.6.1.5.5.7.3.1", "2.5.29.37.0"];
 /// A certificate that ends sooner is warned of.
 const SOON: u64 = 14 * 24 * 3600 * 1000;
+/// Largest file of revocation lists, bytes.
+const CRL_BYTES: u64 = 16 << 20;
 const SAYS_HTTP: &str = "HTTP/1.0 400 Bad Request\r\nContent-Type: text/plain; charset=utf-8\r\nConnection: close\r\n\r\n\
                          this port speaks TLS: ask it by https\n";
 
@@ -52,6 +58,8 @@ pub struct Files {
     pub key: PathBuf,
     /// Authorities of the clients' certificates.
     pub client_ca: Option<PathBuf>,
+    /// What they revoked.
+    pub client_crl: Vec<PathBuf>,
 }
 
 /// What a handshake needs.
@@ -114,8 +122,13 @@ impl Files {
             None => versions.with_no_client_auth(),
             Some(path) => {
                 let roots = Arc::new(authorities(path, now)?);
-                let verifier = WebPkiClientVerifier::builder_with_provider(roots, provider).build();
-                versions.with_client_cert_verifier(verifier.map_err(|e| failed(&e))?)
+                let mut verifier = WebPkiClientVerifier::builder_with_provider(roots, provider);
+                if !self.client_crl.is_empty() {
+                    let lists = revoked(&self.client_crl, now, &mut warnings)?;
+                    // A list that is out of date says nothing any more: then nobody comes in.
+                    verifier = verifier.with_crls(lists).enforce_revocation_expiration();
+                }
+                versions.with_client_cert_verifier(verifier.build().map_err(|e| failed(&e))?)
             }
         };
         let mut config = verified.with_cert_resolver(Arc::new(SingleCertAndKey::from(own)));
@@ -124,6 +137,15 @@ impl Files {
         config.send_tls13_tickets = 0;
         Ok(Tls { config: Arc::new(config), certificate_sha256, asks: self.client_ca.is_some(), warnings })
     }
+}
+
+/// The SHA-256 of the first certificate in a file, PEM: what an account is bound to.
+///
+/// # Errors
+/// Environment for a file that cannot be read; usage for one without a certificate.
+pub fn fingerprint(path: &Path) -> Result<Fingerprint> {
+    let first = certificates(path)?.swap_remove(0);
+    parse(path, &first).map(|_| Fingerprint::of(&first))
 }
 
 /// One or more, the first being what the file is for.
@@ -214,6 +236,43 @@ pub(super) fn authorities(path: &Path, now: u64) -> Result<RootCertStore> {
     Ok(roots)
 }
 
+/// Revocation lists, good now.
+fn revoked(
+    paths: &[PathBuf],
+    now: u64,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<CertificateRevocationListDer<'static>>> {
+    let mut all = Vec::new();
+    for path in paths {
+        let subject = path.display().to_string();
+        let wrong = |found: String| {
+            Error::usage(&subject)
+                .expected("revocation lists (X509 CRL) in PEM form, one after the other")
+                .found(found)
+                .advice("`openssl crl -inform DER -in OLD -out NEW.pem` converts one.")
+        };
+        let bytes = disk::read_limited(path, CRL_BYTES)?;
+        let text = std::str::from_utf8(&bytes).map_err(|_| wrong("bytes that are not text".into()))?;
+        for der in pem::decode_all("X509 CRL", text).map_err(wrong)? {
+            let list = CertificateList::from_der(&der).map_err(|e| wrong(format!("a damaged one ({e})")))?;
+            let ms = |t: x509_cert::time::Time| u64::try_from(t.to_unix_duration().as_millis()).unwrap_or(u64::MAX);
+            let next = list.tbs_cert_list.next_update.map(ms);
+            let until = next.ok_or_else(|| wrong("one that does not say until when it is good (nextUpdate)".into()))?;
+            if until <= now {
+                return Err(Error::usage(&subject)
+                    .expected(format!("a list that is good now, {}", format_utc(now)))
+                    .found(format!("one that was good until {}", format_utc(until)))
+                    .advice("Ask its authority for the next one."));
+            }
+            if until < now + SOON {
+                warnings.push(format!("{subject}: good until {} only; then nobody comes in", format_utc(until)));
+            }
+            all.push(der.into());
+        }
+    }
+    Ok(all)
+}
+
 /// The port's entrance under TLS.
 #[derive(Clone)]
 pub struct Door {
@@ -252,8 +311,12 @@ impl Door {
 
 impl Entrance for Door {
     type Stream = TlsStream<Patient>;
+    type Peer = Peer;
 
-    async fn enter(&self, stream: Patient) -> Option<TlsStream<Patient>> {
-        timeout(HANDSHAKE, self.shake(stream)).await.ok().flatten()
+    async fn enter(&self, stream: Patient) -> Option<(TlsStream<Patient>, Peer)> {
+        let stream = timeout(HANDSHAKE, self.shake(stream)).await.ok().flatten()?;
+        let leaf = stream.get_ref().1.peer_certificates().and_then(|chain| chain.first());
+        let peer = Peer(leaf.map(|der| Fingerprint::of(der)));
+        Some((stream, peer))
     }
 }

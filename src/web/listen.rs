@@ -9,7 +9,10 @@ use std::task::{Context, Poll, ready};
 use std::time::Duration;
 
 use axum::Router;
+use hyper::Request;
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
+use hyper::service::{Service as _, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
@@ -34,9 +37,11 @@ const BUFFER: usize = 16 << 10;
 /// How a connection that came in becomes one that speaks HTTP.
 pub trait Entrance: Clone + Send + Sync + 'static {
     type Stream: AsyncRead + AsyncWrite + Unpin + Send;
+    /// What was learnt of the other end: an extension of each request.
+    type Peer: Clone + Send + Sync + 'static;
 
     /// `None` for one that is not let in. It counts as a connection meanwhile, and must end by itself.
-    fn enter(&self, stream: Patient) -> impl Future<Output = Option<Self::Stream>> + Send;
+    fn enter(&self, stream: Patient) -> impl Future<Output = Option<(Self::Stream, Self::Peer)>> + Send;
 }
 
 /// HTTP as it is.
@@ -45,9 +50,10 @@ pub struct Plain;
 
 impl Entrance for Plain {
     type Stream = Patient;
+    type Peer = ();
 
-    async fn enter(&self, stream: Patient) -> Option<Patient> {
-        Some(stream)
+    async fn enter(&self, stream: Patient) -> Option<(Patient, ())> {
+        Some((stream, ()))
     }
 }
 
@@ -96,7 +102,11 @@ pub async fn serve(
         let entrance = entrance.clone();
         tokio::spawn(async move {
             let _ = stream.set_nodelay(true);
-            let Some(stream) = entrance.enter(Patient::new(stream)).await else { return drop(place) };
+            let Some((stream, peer)) = entrance.enter(Patient::new(stream)).await else { return drop(place) };
+            let service = service_fn(move |mut request: Request<Incoming>| {
+                request.extensions_mut().insert(peer.clone());
+                service.call(request)
+            });
             let mut http = http1::Builder::new();
             http.timer(TokioTimer::new()).header_read_timeout(HEAD).max_buf_size(BUFFER).max_headers(64);
             // Who breaks the connection off has no use for an error.

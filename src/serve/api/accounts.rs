@@ -16,7 +16,7 @@ use utoipa::openapi::schema::{ArrayBuilder, ObjectBuilder, OneOfBuilder, Schema,
 use super::{Answer, Caller, Refused, blocking, given};
 use crate::audit::Marking;
 use crate::serve::Server;
-use crate::serve::account::Told;
+use crate::serve::account::{Fingerprint, Told};
 use crate::serve::administration::{By, TOKEN_DAYS};
 use crate::serve::refusal::Refusal;
 use crate::serve::role::{Right, Role};
@@ -89,7 +89,9 @@ async fn by<T: Send + 'static>(
     responses((status = 200, body = Accounts), Refused))]
 pub async fn list(State(server): State<Arc<Server>>, caller: Caller) -> Answer<Json<Accounts>> {
     by(server, caller, |server, by, _| {
-        let accounts = server.database.accounts()?.iter().map(|a| a.told(by.now)).collect();
+        let certificates = server.database.certificates()?;
+        let of = |name: &str| certificates.get(name).map_or(&[][..], Vec::as_slice);
+        let accounts = server.database.accounts()?.iter().map(|a| a.told(of(&a.name), by.now)).collect();
         Ok(Json(Accounts { accounts }))
     })
     .await
@@ -175,6 +177,57 @@ pub async fn renew(State(server): State<Arc<Server>>, caller: Caller, Path(name)
         let token = by.renew(&name, TOKEN_DAYS)?;
         server.sessions.end_all_of(&name);
         Ok((StatusCode::CREATED, Json(Token { account: name, token: token.to_string() })).into_response())
+    })
+    .await
+}
+
+/// A client certificate that is to be an account's.
+#[derive(Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NewCertificate {
+    /// SHA-256 of the certificate (DER), as `openssl x509 -noout -fingerprint -sha256` prints it.
+    #[schema(pattern = "^([0-9A-Fa-f]{2}:?){31}[0-9A-Fa-f]{2}$")]
+    sha256: String,
+}
+
+/// Bind a client certificate to an account: who comes with it is this account
+#[utoipa::path(post, path = "/api/v1/accounts/{name}/certificates", tag = "accounts", params(("name" = String, Path)),
+    request_body = NewCertificate, security(("token" = []), ("session" = [])), responses((status = 204), Refused))]
+pub async fn bind(
+    State(server): State<Arc<Server>>,
+    caller: Caller,
+    Path(name): Path<String>,
+    body: Result<Json<NewCertificate>, JsonRejection>,
+) -> Answer<StatusCode> {
+    caller.need(&server, Right::Accounts)?;
+    let certificate: Fingerprint = given(body)?.sha256.parse()?;
+    by(server, caller, move |server, by, _| {
+        there(server, &name)?;
+        if server.database.bound_to(&certificate)?.is_some() {
+            return Err(Refusal::conflict("sha256: an account has this certificate"));
+        }
+        by.bind(&name, &certificate)?;
+        Ok(StatusCode::NO_CONTENT)
+    })
+    .await
+}
+
+/// Take a client certificate from an account: its sessions are over
+#[utoipa::path(delete, path = "/api/v1/accounts/{name}/certificates/{sha256}", tag = "accounts",
+    params(("name" = String, Path), ("sha256" = String, Path)), security(("token" = []), ("session" = [])),
+    responses((status = 204), Refused))]
+pub async fn unbind(
+    State(server): State<Arc<Server>>,
+    caller: Caller,
+    Path((name, sha256)): Path<(String, String)>,
+) -> Answer<StatusCode> {
+    by(server, caller, move |server, by, _| {
+        let certificate: Fingerprint = sha256.parse()?;
+        if server.database.bound_to(&certificate)?.is_none_or(|account| account.name != name) {
+            return Err(Refusal::not_found());
+        }
+        by.unbind(&name, &certificate)?;
+        Ok(StatusCode::NO_CONTENT)
     })
     .await
 }

@@ -10,14 +10,17 @@ use super::guard::changes;
 use super::{Answer, blocking, session};
 use crate::audit::Marking;
 use crate::serve::Server;
-use crate::serve::account::{Account, is_same, read_token};
+use crate::serve::account::{Account, Fingerprint, is_same, read_token};
 use crate::serve::database::{Checked, Job};
 use crate::serve::place::is_id;
 use crate::serve::refusal::Refusal;
 use crate::serve::role::{Right, Roles};
+use crate::serve::session::Proof;
 
 /// Longest token, and longest name of a session.
 const LONGEST: usize = 128;
+/// In `Authorization`: by the connection's certificate.
+const BY_CERTIFICATE: &[u8] = b"Certificate";
 const CSRF: &str = "x-orb-csrf";
 
 /// An account that asks, and the session's secret if it is a session.
@@ -27,15 +30,32 @@ pub struct Caller {
     pub roles: Roles,
     pub ceiling: Marking,
     pub csrf: Option<String>,
-    /// What a request stands for: a session that changed its token since is none.
-    pub token_sha256: Vec<u8>,
+    /// What it was known by.
+    pub by: Proof,
+}
+
+/// What a connection's handshake verified: the client's certificate, where one was asked for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Peer(pub Option<Fingerprint>);
+
+impl<S: Sync> FromRequestParts<S> for Peer {
+    type Rejection = std::convert::Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Peer, Self::Rejection> {
+        Ok(parts.extensions.get().copied().unwrap_or_default())
+    }
 }
 
 impl FromRequestParts<Arc<Server>> for Caller {
     type Rejection = Refusal;
 
     async fn from_request_parts(parts: &mut Parts, server: &Arc<Server>) -> Answer<Caller> {
+        let Peer(certificate) = parts.extensions.get().copied().unwrap_or_default();
         if let Some(value) = parts.headers.get(AUTHORIZATION) {
+            // Said, not taken from the connection unasked: a page of another server's cannot send this header.
+            if value.as_bytes() == BY_CERTIFICATE {
+                return blocking(server, move |server| by_certificate(server, certificate)).await;
+            }
             let token =
                 value.to_str().ok().and_then(|v| v.strip_prefix("Bearer ")).ok_or_else(Refusal::unknown)?.to_owned();
             return blocking(server, move |server| by_token(server, &token)).await;
@@ -54,13 +74,30 @@ impl FromRequestParts<Arc<Server>> for Caller {
                 server.recorder.refused(&known.account, "CSRF", now);
                 return Err(Refusal::forbidden("the header X-Orb-Csrf does not hold the session's secret"));
             }
-            let account = server.database.account(&known.account)?.ok_or_else(Refusal::unknown)?;
-            if !is_same(&account.token_sha256, &known.token_sha256) {
+            let over = || {
                 server.sessions.end(&id);
-                return Err(Refusal::unknown());
-            }
+                Refusal::unknown()
+            };
             let csrf = Some(known.csrf().to_owned());
-            settle(server, &known.account, server.database.judge(account, now)?, csrf)
+            let checked = match &known.by {
+                Proof::Token(sha256) => {
+                    let account = server.database.account(&known.account)?.ok_or_else(Refusal::unknown)?;
+                    if !is_same(&account.token_sha256, sha256) {
+                        return Err(over());
+                    }
+                    server.database.judge(account, now)?
+                }
+                // By another connection, without it or with another: a cookie that was carried off. The session goes on.
+                Proof::Certificate(own) if certificate != Some(*own) => {
+                    server.recorder.refused(&known.account, "CERTIFICATE_OTHER", now);
+                    return Err(Refusal::unknown());
+                }
+                Proof::Certificate(own) => match server.database.check_certificate(own, now)? {
+                    Some((name, checked)) if name == known.account => checked,
+                    _ => return Err(over()),
+                },
+            };
+            settle(server, &known.account, checked, csrf, known.by)
         })
         .await
     }
@@ -77,14 +114,29 @@ pub fn by_token(server: &Arc<Server>, token: &str) -> Answer<Caller> {
         return Err(Refusal::unknown());
     };
     let checked = server.database.check_token(name, &sha256, server.now())?;
-    settle(server, name, checked, None)
+    settle(server, name, checked, None, Proof::Token(sha256))
 }
 
-fn settle(server: &Server, name: &str, checked: Checked, csrf: Option<String>) -> Answer<Caller> {
+/// Whose certificate this is.
+///
+/// # Errors
+/// 401, the same whatever is wrong.
+pub fn by_certificate(server: &Arc<Server>, certificate: Option<Fingerprint>) -> Answer<Caller> {
+    let Some(certificate) = certificate else { return Err(Refusal::unknown()) };
+    match server.database.check_certificate(&certificate, server.now())? {
+        Some((name, checked)) => settle(server, &name, checked, None, Proof::Certificate(certificate)),
+        None => {
+            server.recorder.refused("", "CERTIFICATE_UNKNOWN", server.now());
+            Err(Refusal::unknown())
+        }
+    }
+}
+
+fn settle(server: &Server, name: &str, checked: Checked, csrf: Option<String>, by: Proof) -> Answer<Caller> {
     let (name, code) = match checked {
         Checked::Good(account) => {
-            let Account { name, roles, ceiling, token_sha256, .. } = *account;
-            return Ok(Caller { name, roles, ceiling, csrf, token_sha256 });
+            let Account { name, roles, ceiling, .. } = *account;
+            return Ok(Caller { name, roles, ceiling, csrf, by });
         }
         // Names that were guessed are not written down.
         Checked::Unknown => ("", "ACCOUNT_UNKNOWN"),

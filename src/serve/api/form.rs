@@ -14,6 +14,7 @@ use tokio::time::timeout;
 use super::{Answer, blocking};
 use crate::Error;
 use crate::serve::refusal::Refusal;
+use crate::serve::submission::REGISTER;
 use crate::serve::{Server, random};
 
 /// Until the next piece has come.
@@ -72,6 +73,7 @@ pub struct Taken {
     /// Of [`POSES`].
     pub poses: Vec<&'static str>,
     pub control: bool,
+    pub register: bool,
     /// Of all files.
     pub bytes: u64,
 }
@@ -86,7 +88,7 @@ pub async fn take(server: &Server, mut form: Multipart, incoming: &Incoming) -> 
         let next = timeout(PIECE_WITHIN, form.next_field()).await.map_err(|_| too_slow())?;
         let Some(field) = next.map_err(unreadable)? else { return Ok(taken) };
         let name = field.name().unwrap_or_default().to_owned();
-        if !["photo", "poses", "gcp"].contains(&name.as_str()) {
+        if !["photo", "poses", "gcp", "country_register"].contains(&name.as_str()) {
             take_text(&mut taken, name, field).await?;
             continue;
         }
@@ -104,6 +106,13 @@ pub async fn take(server: &Server, mut form: Multipart, incoming: &Incoming) -> 
                 })?;
                 taken.poses.push(known);
                 (incoming.folder().join("in/poses").join(known), server.limits.upload)
+            }
+            "country_register" if taken.register => {
+                return Err(Refusal::unusable("country_register: expected one file, found more"));
+            }
+            "country_register" => {
+                taken.register = true;
+                (incoming.folder().join(REGISTER), CONTROL)
             }
             _ if taken.control => return Err(Refusal::unusable("gcp: expected one file, found more")),
             _ => {

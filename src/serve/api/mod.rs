@@ -31,7 +31,7 @@ use utoipa_axum::routes;
 
 use super::Server;
 use super::refusal::Refusal;
-pub use caller::Caller;
+pub use caller::{Caller, Peer};
 
 pub type Answer<T> = Result<T, Refusal>;
 
@@ -43,8 +43,8 @@ const FORM: u64 = 64 << 10;
     info(
         title = "Orb",
         description = "One photo becomes a placed, marked, sealed 3D model. Every request but those for `health`, \
-                       this document and a session needs an account's token, as `Authorization: Bearer orb_…` or by a \
-                       session's cookie; with the cookie, a request that changes something needs the session's `csrf` \
+                       this document and a session needs an account's token, as `Authorization: Bearer orb_…`, a client \
+                       certificate that is bound to one, as `Authorization: Certificate`, or a session's cookie; with the cookie, a request that changes something needs the session's `csrf` \
                        in the header `X-Orb-Csrf`. What is marked above an account's ceiling does not exist for it."
     ),
     modifiers(&Security)
@@ -139,6 +139,8 @@ fn interface() -> OpenApiRouter<Arc<Server>> {
         .routes(routes!(accounts::disable))
         .routes(routes!(accounts::enable))
         .routes(routes!(accounts::renew))
+        .routes(routes!(accounts::bind))
+        .routes(routes!(accounts::unbind))
         .routes(routes!(events::list))
         .routes(routes!(metrics::show))
 }

@@ -11,7 +11,7 @@ use axum::response::{IntoResponse as _, Response};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use super::caller::by_token;
+use super::caller::{Peer, by_certificate, by_token};
 use super::{Answer, Caller, Guarded, Refused, blocking, given};
 use crate::serve::Server;
 use crate::serve::refusal::Refusal;
@@ -31,11 +31,13 @@ fn cookie(server: &Server, value: &str, seconds: u64) -> String {
     format!("{}={value}; Path=/; HttpOnly; SameSite=Strict; Max-Age={seconds}{secure}", cookie_name(server))
 }
 
+/// By a token, or by the certificate that the connection came with.
 #[derive(Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SignIn {
-    /// As `orb serve account add` printed it.
-    token: String,
+    /// As `orb serve account add` printed it. None: by the certificate.
+    #[serde(default)]
+    token: Option<String>,
 }
 
 /// Who is signed in.
@@ -60,12 +62,19 @@ impl Session {
 #[utoipa::path(post, path = "/api/v1/session", tag = "session", security(()), request_body = SignIn, responses(
     (status = 200, body = Session), (status = 401, body = Refusal), (status = 422, body = Refusal), Guarded
 ))]
-pub async fn begin(State(server): State<Arc<Server>>, body: Result<Json<SignIn>, JsonRejection>) -> Answer<Response> {
+pub async fn begin(
+    State(server): State<Arc<Server>>,
+    peer: Peer,
+    body: Result<Json<SignIn>, JsonRejection>,
+) -> Answer<Response> {
     let SignIn { token } = given(body)?;
     let (cookie, session) = blocking(&server, move |server| {
-        let mut caller = by_token(server, &token)?;
+        let mut caller = match token {
+            Some(token) => by_token(server, &token)?,
+            None => by_certificate(server, peer.0)?,
+        };
         server.recorder.act("session.begin", &[("account", &caller.name)])?;
-        let begun = server.sessions.begin(&caller.name, &caller.token_sha256, server.now())?;
+        let begun = server.sessions.begin(&caller.name, caller.by.clone(), server.now())?;
         caller.csrf = Some(begun.csrf);
         Ok((cookie(server, &begun.id, LONGEST / 1000), Session::of(caller)))
     })

@@ -49,7 +49,7 @@ impl PartialSchema for Form {
                 ObjectBuilder::new().schema_type(Type::String).format(Some(format))
             };
             let files = |words: &str| ArrayBuilder::new().items(file()).min_items(Some(1)).description(Some(words));
-            for made_here in ["photos", "poses", "control"] {
+            for made_here in ["photos", "poses", "control", "register"] {
                 object.properties.remove(made_here);
             }
             // A form leaves out what it does not say: there is no null in it.
@@ -62,6 +62,10 @@ impl PartialSchema for Form {
             object.properties.insert("poses".into(), poses.max_items(Some(3)).build().into());
             let control = file().description(Some("Of several photos: ground control points, CSV."));
             object.properties.insert("gcp".into(), control.build().into());
+            let register = file().description(Some(
+                "For marking officers: country codes beyond those that Orb lists, one at the beginning of each line.",
+            ));
+            object.properties.insert("country_register".into(), register.build().into());
             object.required.push("photo".into());
         }
         schema
@@ -138,6 +142,7 @@ fn accept(server: &Arc<Server>, caller: &Caller, taken: Taken, incoming: Incomin
         return Err(Refusal::unusable("photo: expected a file, found none"));
     };
     let mut request = Submission::of_fields(taken.fields)?;
+    request.register = taken.register;
     if request.marks() {
         caller.need(server, Right::Mark)?;
     }
@@ -239,6 +244,7 @@ fn judge(request: &Submission, folder: &Path, now: u64) -> Result<Marking> {
     below(&mut args.photo);
     below(&mut args.photos.poses);
     below(&mut args.photos.gcp);
+    below(&mut args.publish.marking.country_register);
     geo::judge(&args, &format_utc(now)).map_err(|mut e| {
         let here = format!("{}/", folder.display());
         for words in [&mut e.subject, &mut e.expected, &mut e.found, &mut e.advice] {

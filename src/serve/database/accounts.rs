@@ -3,7 +3,7 @@
 use super::Database;
 use super::sql::{Row, Way, unsound, values};
 use crate::audit::Marking;
-use crate::serve::account::{Account, LOCKED_FOR, MOST_FAILURES, is_same};
+use crate::serve::account::{Account, Fingerprint, LOCKED_FOR, MOST_FAILURES, is_same};
 use crate::{Error, Result};
 
 /// Between two notes of when an account was last used, milliseconds.
@@ -104,6 +104,22 @@ impl Database {
         self.judge(account, now)
     }
 
+    /// Judges who came by a certificate, and notes the use. `None` for one that is bound to nobody.
+    ///
+    /// # Errors
+    /// Environment.
+    pub fn check_certificate(&self, certificate: &Fingerprint, now: u64) -> Result<Option<(String, Checked)>> {
+        let Some(account) = self.bound_to(certificate)? else { return Ok(None) };
+        let name = account.name.clone();
+        // Its token may have expired: the certificate has a time of its own. A lock holds for both.
+        let checked = match () {
+            () if account.locked_until > now => Checked::Locked,
+            () if account.disabled => Checked::Disabled,
+            () => self.note_use(account, now)?,
+        };
+        Ok(Some((name, checked)))
+    }
+
     /// One wrong token more: in one statement, so that servers that share accounts count together.
     fn count_failure(&self, name: &str, now: u64) -> Result<Checked> {
         let sql = "UPDATE account SET failures = CASE WHEN failures + 1 >= $2 THEN 0 ELSE failures + 1 END,
@@ -129,6 +145,10 @@ impl Database {
         if account.token_expires <= now {
             return Ok(Checked::Expired);
         }
+        self.note_use(account, now)
+    }
+
+    fn note_use(&self, account: Account, now: u64) -> Result<Checked> {
         let noted = account.last_used.is_some_and(|last| now.saturating_sub(last) < NOTED_EVERY);
         if !noted || account.failures > 0 {
             let sql = "UPDATE account SET failures = 0, last_used = $2 WHERE name = $1";

@@ -1,8 +1,10 @@
 //! Accounts and jobs: in SQLite, in a file of the server's own folder, or in PostgreSQL.
 //!
-//! [`Sql`] is all that the two differ in. What is said to them stands once, in [`accounts`], [`jobs`] and [`places`].
+//! [`Sql`] is all that the two differ in. What is said to them stands once, in [`accounts`], [`certificates`],
+//! [`jobs`] and [`places`].
 
 mod accounts;
+mod certificates;
 mod jobs;
 mod places;
 pub mod postgres;
@@ -22,7 +24,7 @@ use crate::Result;
 use sql::{Row, Sql, Value, Way};
 
 /// The tables' version.
-const VERSION: i64 = 3;
+const VERSION: i64 = 4;
 
 /// Jobs and accounts.
 pub struct Database {

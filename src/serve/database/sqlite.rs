@@ -44,6 +44,10 @@ WHERE state = 'done' AND json_type(result, '$.georeference.latitude') IS NOT NUL
     "
 ALTER TABLE job ADD COLUMN folder TEXT NOT NULL DEFAULT '';
 ",
+    // Whose certificate is whose.
+    "
+CREATE TABLE certificate (sha256 BLOB NOT NULL PRIMARY KEY, account TEXT NOT NULL, made INTEGER NOT NULL) STRICT;
+",
 ];
 
 /// One connection, used by one thread at a time.

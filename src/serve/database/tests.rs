@@ -9,7 +9,7 @@ use super::sql::values;
 use super::*;
 use crate::audit::Marking;
 use crate::serve::Limits;
-use crate::serve::account::{Account, LOCKED_FOR, MOST_FAILURES};
+use crate::serve::account::{Account, Fingerprint, LOCKED_FOR, MOST_FAILURES};
 use crate::serve::submission::Submission;
 use crate::serve::tests::cluster::{self, Cluster};
 
@@ -110,6 +110,30 @@ fn wrong_tokens_are_counted_together() {
 }
 
 #[test]
+fn a_certificate_is_one_accounts() {
+    for shared in Shared::all() {
+        let database = shared.open("f");
+        ["jane", "john"].iter().for_each(|name| database.add_account(&account(name)).unwrap());
+        let (one, two) = (Fingerprint::of(b"one"), Fingerprint::of(b"two"));
+        assert!(database.bind(&one, "jane", NOW).unwrap() && database.bind(&two, "jane", NOW + 1).unwrap());
+        assert!(!database.bind(&one, "john", NOW).unwrap(), "it is jane's");
+        assert_eq!(database.bound_to(&one).unwrap().unwrap().name, "jane");
+        assert_eq!(database.certificates().unwrap()["jane"], [one, two]);
+        assert!(!database.unbind(&one, "john").unwrap() && database.unbind(&one, "jane").unwrap());
+        assert!(database.check_certificate(&one, NOW).unwrap().is_none());
+        // Its token's end is nothing to a certificate; a lock and a disabled account are.
+        let found = |now| database.check_certificate(&two, now).unwrap().unwrap().1;
+        assert!(matches!(found(NOW + 100), Checked::Good(_)));
+        for _ in 0..MOST_FAILURES {
+            database.check_token("jane", b"wrong", NOW).unwrap();
+        }
+        assert!(matches!(found(NOW), Checked::Locked));
+        database.set_disabled("jane", true).unwrap();
+        assert!(matches!(found(NOW), Checked::Disabled));
+    }
+}
+
+#[test]
 fn texts_are_kept_and_sorted_byte_by_byte() {
     for shared in Shared::all() {
         let database = shared.open("f");
@@ -154,7 +178,7 @@ fn the_tables_are_the_same() {
     drop(Database::file(&path).unwrap());
     let file = rusqlite::Connection::open(path).unwrap();
     let mut server = cluster.connect(&name);
-    for table in ["account", "job"] {
+    for (table, least) in [("account", 10), ("job", 20), ("certificate", 3)] {
         let sql =
             "SELECT name, \"notnull\" OR pk, CASE type WHEN 'INTEGER' THEN 'bigint' WHEN 'REAL' THEN 'double precision'
                    WHEN 'BLOB' THEN 'bytea' ELSE lower(type) END FROM pragma_table_info(?1)";
@@ -165,7 +189,7 @@ fn the_tables_are_the_same() {
                    WHERE table_schema = 'orb' AND table_name = $1";
         let rows = server.query(sql, &[&table]).unwrap();
         let there: BTreeSet<(String, bool, String)> = rows.iter().map(|r| (r.get(0), r.get(1), r.get(2))).collect();
-        assert!(here.len() >= 10);
+        assert!(here.len() >= least, "{here:?}");
         assert_eq!(here, there, "{table}");
     }
 }

@@ -230,6 +230,7 @@ pub(super) fn operations() -> Vec<(String, String)> {
     let mut out = Vec::new();
     for (path, item) in document["paths"].as_object().unwrap() {
         let path = path.replace("{id}", &"0".repeat(32)).replace("{*name}", "preview.png").replace("{name}", "nobody");
+        let path = path.replace("{sha256}", &"0".repeat(64));
         for method in item.as_object().unwrap().keys().filter(|m| *m != "parameters") {
             out.push((method.to_uppercase(), path.clone()));
         }

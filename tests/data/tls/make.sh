@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes the certificates of tests/tls.rs anew: an authority, a server and a client of it, the same out of date, and a client
-# of another authority. Keys of tests: whoever reads this has them. Good until 2125, so that nobody has to make them again.
+# Makes the certificates of tests/tls.rs anew: an authority, a server and clients of it, the same out of date, one that is
+# revoked, the authority's revocation list and one that is out of date, and a client and a list of another authority. Keys of tests: whoever reads this has them. Good until 2125, so that nobody has to make them again.
 set -euo pipefail
 cd "$(dirname "$0")"
 begin=20200101000000Z
@@ -14,8 +14,10 @@ authority() {
     key "$1.key"
     mkdir "$work/$1"
     touch "$work/$1/index.txt"
+    echo 01 >"$work/$1/crlnumber"
     printf '%s\n' '[ca]' 'default_ca=d' '[d]' "database=$work/$1/index.txt" "new_certs_dir=$work/$1" 'default_md=sha256' \
-        'policy=p' 'rand_serial=yes' 'unique_subject=no' '[p]' 'commonName=supplied' '[authority]' \
+        'policy=p' 'rand_serial=yes' 'unique_subject=no' "crlnumber=$work/$1/crlnumber" 'crl_extensions=list' \
+        '[list]' 'authorityKeyIdentifier=keyid:always' '[p]' 'commonName=supplied' '[authority]' \
         'basicConstraints=critical,CA:TRUE' 'keyUsage=critical,keyCertSign,cRLSign' 'subjectKeyIdentifier=hash' \
         '[server]' 'basicConstraints=critical,CA:FALSE' 'keyUsage=critical,digitalSignature' 'extendedKeyUsage=serverAuth' \
         'subjectAltName=DNS:localhost,DNS:orb.example,IP:127.0.0.1' \
@@ -34,13 +36,25 @@ certificate() {
         -startdate $begin -enddate "$4" -in "$work/req" -out "$3.pem" 2>/dev/null
 }
 
+# list AUTHORITY NAME END
+list() {
+    openssl ca -gencrl -config "$work/$1/conf" -cert "$1.pem" -keyfile "$1.key" \
+        -crl_lastupdate $begin -crl_nextupdate "$3" -out "$2.crl.pem" 2>/dev/null
+}
+
 rm -f ./*.key ./*.pem
 authority authority
 authority other
 certificate authority server server 21251231235959Z
 certificate authority server server-over 20200102000000Z
 certificate authority client client 21251231235959Z
+certificate authority client client-two 21251231235959Z
 certificate authority client client-over 20200102000000Z
+certificate authority client client-revoked 21251231235959Z
 certificate other client client-of-other 21251231235959Z
+openssl ca -config "$work/authority/conf" -cert authority.pem -keyfile authority.key -revoke client-revoked.pem 2>/dev/null
+list authority authority 21251231235959Z
+list authority authority-over 20200102000000Z
+list other other 21251231235959Z
 # What an authority signs with is needed here alone.
 rm authority.key other.key

@@ -10,7 +10,8 @@ use super::{Broken, ORB};
 const FIRST: i64 = 3;
 
 /// The tables, version after version, as SQLite's. Texts are compared byte by byte, as there.
-pub(in crate::serve::database) const TABLES: [&str; (VERSION - FIRST + 1) as usize] = ["
+pub(in crate::serve::database) const TABLES: [&str; (VERSION - FIRST + 1) as usize] = [
+    "
 CREATE TABLE account (
     name TEXT COLLATE \"C\" PRIMARY KEY, roles TEXT NOT NULL, ceiling TEXT NOT NULL, token_sha256 BYTEA NOT NULL,
     token_expires BIGINT NOT NULL, made BIGINT NOT NULL, disabled BIGINT NOT NULL DEFAULT 0,
@@ -26,7 +27,13 @@ CREATE TABLE job (
 CREATE INDEX job_state ON job (state, number);
 CREATE INDEX job_marking ON job (marking, number);
 CREATE INDEX job_place ON job (number, marking) WHERE latitude IS NOT NULL;
-"];
+",
+    "
+CREATE TABLE certificate (
+    sha256 BYTEA NOT NULL PRIMARY KEY, account TEXT COLLATE \"C\" NOT NULL, made BIGINT NOT NULL
+);
+",
+];
 
 /// What stops it, beside what a connection can.
 pub enum Unfit {
