@@ -303,7 +303,10 @@ fn markings_and_ceilings(on: On) {
     let with_codes = |who: &As, codes: &str| {
         let form = [
             ("name=\"origin\"", "34.5,-118.4,740"),
-            ("name=\"classification\"", "CUI//REL TO USA, ZZTF"),
+            ("name=\"classification\"", "SECRET//REL TO USA, ZZTF"),
+            ("name=\"classified_by\"", "J. Doe, Analyst"),
+            ("name=\"derived_from\"", "Guide, Agency, 20260101"),
+            ("name=\"declassify_on\"", "20500101"),
             ("name=\"country_register\"; filename=\"../codes.txt\"", codes),
             ("name=\"photo\"; filename=\"a.png\"", "PHOTO"),
         ];
@@ -322,12 +325,13 @@ fn markings_and_ceilings(on: On) {
     let unmarked = As::from(fixture.account("plain", "operator", "SECRET").as_str());
     assert_eq!(with_codes(&unmarked, "ZZTF").status, 403);
     let unknown = with_codes(&high, "ZZTE of another");
-    assert!(unknown.status == 422 || unknown.status == 403, "{}", unknown.text());
-    assert!(unknown.text().contains("ZZTF"), "{}", unknown.text());
+    assert_eq!(unknown.json()["code"], "REFUSED_BY_POLICY", "{}", unknown.text());
+    assert!(unknown.text().contains("country code `ZZTF`"), "{}", unknown.text());
     let refused = with_codes(&high, "zz");
     assert!(refused.status == 422 && refused.text().contains("line 1"), "{}", refused.text());
     let known = with_codes(&high, "# of a test\nZZTF a task force\n");
-    assert_eq!(known.json()["code"], "KEY_REQUIRED", "all but the key is there: {}", known.text());
+    let said = known.json();
+    assert_eq!(said["code"], "ABOVE_SERVER_CEILING", "it is a marking now, above SECRET as all with a limit: {said}");
     // A job that is marked is not there for who is below it.
     let id = fixture.submitted(&high);
     fixture.finish(&[("scene.ply", b"ply")]);
