@@ -7,6 +7,7 @@
 
 mod expected;
 mod membrane;
+mod parts;
 mod smooth;
 mod surface;
 
@@ -16,6 +17,9 @@ use crate::splat::Gaussians;
 pub use expected::{Expected, expected};
 pub use membrane::fill;
 pub use surface::{Against, Surface};
+
+/// Half the width of the widest thing that is told from the ground, in the unit frame: cameras stand at a distance of 1.
+const WIDEST: f32 = 0.25;
 
 /// How ground is told from what stands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +39,7 @@ pub struct Filter {
 impl Default for Filter {
     /// For the unit frame: cameras stand at a distance of 1 from what they look at (all found by trial on made places).
     fn default() -> Self {
-        Filter { cell: 0.015, widest: 0.25, slope: 0.2, step: 0.008, reach: 3.0 }
+        Filter { cell: 0.015, widest: WIDEST, slope: 0.2, step: 0.008, reach: 3.0 }
     }
 }
 

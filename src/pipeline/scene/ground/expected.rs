@@ -3,7 +3,8 @@
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use super::surface::{FAR, area, distance, edges, keep_largest, pixel, quantile};
+use super::parts::keep_near;
+use super::surface::{FAR, area, distance, edges, pixel, quantile};
 use crate::geo::convex_hull;
 use crate::splat::Camera;
 
@@ -36,7 +37,7 @@ pub fn expected(cameras: &[Camera], points: &[Vec3], level: f32) -> Option<Expec
     let far = FAR * distance(cameras, if inside.is_empty() { level_ground() } else { inside.clone() });
     let seen: Vec<Option<f32>> = level_ground().par_iter().map(|p| pixel(cameras, *p, far)).collect();
     let mut known: Vec<bool> = seen.iter().map(Option::is_some).collect();
-    keep_largest(&mut known, LOOKED);
+    keep_near(&mut known, LOOKED, cell);
     let places = (0..known.len()).filter(|i| known[*i]).map(|i| at(i).as_dvec2().to_array()).collect();
     let outline: Vec<Vec2> = convex_hull(places).into_iter().map(|p| Vec2::new(p[0] as f32, p[1] as f32)).collect();
     if outline.len() < 3 {

@@ -1,14 +1,15 @@
 //! The ground as a surface: heights on a regular grid, where photos saw it.
 //!
 //! Ground Gaussians → in each cell the median of their heights there, weighted by how much of them is there → cells that
-//! enough photos see and whose Gaussians agree → their convex outline → noise taken out → holes inside it as a membrane.
+//! enough photos see and whose Gaussians agree → of their parts those that belong together ([`parts`]) → their convex outline →
+//! noise taken out → holes inside it as a membrane.
 //! Unit frame, Z up.
 
 use glam::{Mat3, Quat, Vec2, Vec3};
 use rayon::prelude::*;
 
 use super::super::begin::sees;
-use super::{Terrain, membrane, smooth};
+use super::{Terrain, membrane, parts, smooth};
 use crate::geo::convex_hull;
 use crate::splat::{Camera, Gaussians};
 
@@ -98,7 +99,7 @@ impl Surface {
             .collect();
         let agree = agreeing(&cells, side, &seen, terrain.step);
         let mut known: Vec<bool> = seen.iter().zip(agree).map(|(s, agree)| s.is_some() && agree).collect();
-        keep_largest(&mut known, side);
+        parts::keep_near(&mut known, side, all.cell);
         let points = (0..known.len()).filter(|i| known[*i]).map(|i| all.middle(i).as_dvec2().to_array()).collect();
         all.outline = convex_hull(points).into_iter().map(|p| Vec2::new(p[0] as f32, p[1] as f32)).collect();
         let radius = (area(&all.outline) / std::f32::consts::PI).sqrt();
@@ -369,35 +370,6 @@ pub(super) fn pixel(cameras: &[Camera], p: Vec3, far: f32) -> Option<f32> {
     (seen.len() >= PHOTOS).then(|| seen.into_iter().fold(f32::INFINITY, f32::min))
 }
 
-/// Leaves the largest connected part.
-pub(super) fn keep_largest(known: &mut [bool], side: usize) {
-    let mut part = vec![0u32; known.len()];
-    let (mut count, mut best) = (0, (0usize, 0));
-    for start in 0..known.len() {
-        if !known[start] || part[start] > 0 {
-            continue;
-        }
-        count += 1;
-        let (mut open, mut size) = (vec![start], 0);
-        part[start] = count;
-        while let Some(i) = open.pop() {
-            size += 1;
-            let (x, y) = (i % side, i / side);
-            for v in y.saturating_sub(1)..=(y + 1).min(side - 1) {
-                for u in x.saturating_sub(1)..=(x + 1).min(side - 1) {
-                    let j = v * side + u;
-                    if known[j] && part[j] == 0 {
-                        part[j] = count;
-                        open.push(j);
-                    }
-                }
-            }
-        }
-        best = best.max((size, count));
-    }
-    known.iter_mut().zip(part).for_each(|(k, p)| *k = p > 0 && p == best.1);
-}
-
 pub(super) fn edges(outline: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
     (0..outline.len()).map(|i| (outline[i], outline[(i + 1) % outline.len()]))
 }
@@ -460,5 +432,41 @@ mod tests {
         assert!((0.2..0.9).contains(&half), "{half}");
         assert!((s.height(edge + out) - s.height(edge)).abs() < 0.05);
         assert!(Surface::of(&g, &ground, &terrain, &cameras[..2]).is_none(), "two photos are not enough");
+    }
+
+    /// A slope in two halves with a tenth of the cameras' distance between them, and a speck of ground far off.
+    #[test]
+    fn two_halves_are_one_ground_with_what_is_between_them_and_a_far_speck_is_none() {
+        let slope = |x: f32, y: f32| 0.1 * x + 0.05 * y;
+        let grid = (0..400 * 400).map(|k| ((k % 400) as f32 / 200.0 - 1.0, (k / 400) as f32 / 200.0 - 1.0));
+        let (gap, speck) = (|x: f32| x.abs() < 0.05, |x: f32, y: f32| x.abs() < 0.012 && (y - 0.7).abs() < 0.012);
+        let ground = |x: f32, y: f32| (x.abs() < 0.5 && y.abs() < 0.3 && !gap(x)) || speck(x, y);
+        let points: Vec<Vec3> = grid.filter(|p| ground(p.0, p.1)).map(|(x, y)| Vec3::new(x, y, slope(x, y))).collect();
+        let n = points.len();
+        let g = Gaussians {
+            positions: points,
+            log_scales: vec![Vec3::splat(-5.3); n],
+            rotations: vec![[1.0, 0.0, 0.0, 0.0]; n],
+            logit_opacities: vec![2.0; n],
+            sh: vec![[[0.0; 3]; 16]; n],
+        };
+        let camera = |k: usize| Camera::look_at(views::eye(30.0 * k as f32, 50.0, 1.2), Vec3::ZERO, 1.2, 400);
+        let cameras: Vec<Camera> = (0..12).map(camera).collect();
+        let (terrain, is_ground) = separated(&g, n, &Filter::default()).unwrap();
+        assert!(is_ground.iter().all(|v| *v));
+        let s = Surface::of(&g, &is_ground, &terrain, &cameras).unwrap();
+        // Several cells are between the halves.
+        assert!(0.1 > 6.0 * s.cell, "{}", s.cell);
+        let at = |x: f32, y: f32| Vec2::new(x, y);
+        let known =
+            |p: Vec2| s.known[((p - s.from) / s.cell).floor().as_usizevec2().dot(glam::USizeVec2::new(1, s.columns))];
+        assert!(known(at(-0.3, 0.1)) && known(at(0.3, 0.1)) && !known(at(0.0, 0.1)) && !known(at(0.0, 0.7)));
+        assert!(s.holds(at(-0.48, 0.0)) && s.holds(at(0.48, 0.0)) && s.holds(at(0.0, 0.0)) && !s.holds(at(0.0, 0.5)));
+        for k in 0..100 {
+            let p = at(0.0095 * k as f32 - 0.47, 0.05);
+            let off = s.height(p) - slope(p.x, p.y);
+            // From side to side of the gap it rises by 0.01.
+            assert!(s.share(p) == 1.0 && off.abs() < 0.003, "{p}: {off}");
+        }
     }
 }
