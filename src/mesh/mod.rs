@@ -302,13 +302,14 @@ pub(crate) fn rendered(render: &(dyn Fn(&Camera) -> View + Sync), camera: &Camer
 
 /// `count` directions spread evenly over the sphere by the golden angle (Fibonacci lattice).
 pub fn fibonacci_sphere(count: usize) -> Vec<Vec3> {
-    let golden = std::f32::consts::PI * (3.0 - 5f32.sqrt());
+    // Of f32, as directions have always been; multiplied in f64, since f32 knows the angle of the hundred-thousandth to a degree.
+    let golden = f64::from(std::f32::consts::PI * (3.0 - 5f32.sqrt()));
     (0..count)
         .map(|i| {
             let z = 1.0 - (2.0 * i as f32 + 1.0) / count as f32;
             let r = (1.0 - z * z).max(0.0).sqrt();
-            let (s, c) = (golden * i as f32).sin_cos();
-            Vec3::new(r * c, r * s, z)
+            let (s, c) = (golden * i as f64).sin_cos();
+            Vec3::new(r * c as f32, r * s as f32, z)
         })
         .collect()
 }

@@ -1,5 +1,8 @@
-//! Edge collapse by quadric error, as [`simplify`](crate::mesh::simplify) does it, for pieces of a surface: open at their rim, in
-//! regions whose borders stay borders, and with vertices that must not move.
+//! Edge collapse by quadric error for pieces of a surface: open at their rim, in regions whose borders stay borders, and with
+//! vertices that must not move.
+//!
+//! [`simplify`](crate::mesh::simplify) takes closed meshes alone and gives levels one after another; quadrics and queue are its own,
+//! shared, but what may be collapsed, and where to, is another rule here.
 //!
 //! A vertex on no rim and no border is free. One in the middle of a rim or border may slide along it, that is, become one with
 //! a neighbour on it or meet it half-way. All others are held: where rims and borders meet, and what the caller names.

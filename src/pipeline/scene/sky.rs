@@ -5,6 +5,7 @@ use glam::{Quat, Vec3};
 use rayon::prelude::*;
 
 use super::begin::{flat, pixel};
+use crate::mesh::fibonacci_sphere;
 use crate::splat::{Gaussians, Target};
 
 /// Distance of the sky, in extents of the scene.
@@ -53,16 +54,6 @@ pub fn beyond(extent: f32) -> f32 {
     BEYOND * FAR * extent
 }
 
-/// Direction `i` of `n` of Fibonacci's lattice: all as far apart.
-fn direction(i: usize, n: usize) -> Vec3 {
-    let golden = std::f32::consts::PI * (3.0 - 5f32.sqrt());
-    let z = 1.0 - 2.0 * (i as f32 + 0.5) / n as f32;
-    let turns = f64::from(golden) * i as f64;
-    let (sin, cos) = turns.sin_cos();
-    let across = (1.0 - z * z).sqrt();
-    Vec3::new(across * cos as f32, across * sin as f32, z)
-}
-
 /// The mean angle between neighbours of `n` directions.
 fn spacing(n: usize) -> f32 {
     (4.0 * std::f32::consts::PI / n as f32).sqrt()
@@ -74,7 +65,7 @@ pub fn seen(targets: &[Target], extent: f32, most: usize) -> Option<Seen> {
     let radius = FAR * extent;
     let photos: Vec<&Target> = targets.iter().filter(|t| t.weight > 0.0).collect();
     let looks = |n: usize| -> Vec<(Vec3, Look)> {
-        let above: Vec<Vec3> = (0..n).map(|i| direction(i, n)).filter(|d| d.z > LOWEST).collect();
+        let above: Vec<Vec3> = fibonacci_sphere(n).into_iter().filter(|d| d.z > LOWEST).collect();
         above.into_par_iter().map(|d| (d, look(&photos, d * radius))).collect()
     };
     let probed = looks(PROBED);
@@ -90,7 +81,7 @@ pub fn seen(targets: &[Target], extent: f32, most: usize) -> Option<Seen> {
     let finest = photos.iter().map(|t| t.camera.fx.max(t.camera.fy)).fold(1.0, f32::max);
     let pixels = 4.0 * std::f32::consts::PI * (finest / PIXELS).powi(2);
     // Twice as many over the sphere as are above the horizon.
-    let behind: Vec<Vec3> = (0..2 * dome).map(|i| direction(i, 2 * dome)).filter(|d| d.z > LOWEST).collect();
+    let behind: Vec<Vec3> = fibonacci_sphere(2 * dome).into_iter().filter(|d| d.z > LOWEST).collect();
     let left = all.saturating_sub(behind.len()).max(1);
     let mut fine = (left * PROBED / shown).min(pixels as usize).max(64);
     let discs = |n: usize| -> Vec<(Vec3, [f32; 3])> {
