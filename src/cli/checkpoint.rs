@@ -1,6 +1,7 @@
 //! `--checkpoint` and `--resume`: an optimisation that can be stopped and taken up again.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use crate::Result;
 use crate::splat::train::{Every, Kept, Saved};
@@ -27,7 +28,8 @@ impl CheckpointArgs {
         Ok(Kept {
             file: self.checkpoint.clone().or_else(|| self.resume.clone()),
             every: self.checkpoint_every.map_or(Every::default(), |n| Every::Iterations(n as usize)),
-            from: self.resume.as_deref().map(Saved::read).transpose()?,
+            from: self.resume.as_deref().map(Saved::read).transpose()?.map(Arc::new),
+            ..Kept::default()
         })
     }
 }

@@ -127,9 +127,13 @@ fn largest_group(seen: &[Vec<Sight>], count: usize) -> Vec<bool> {
     roots.into_iter().map(|r| Some(r) == largest).collect()
 }
 
-/// Adjusts the photos for which `moves` holds and that show enough points which others of them show too. `None` where those are too
-/// few to hold the poses.
-pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> {
+/// Whether the photos for which `moves` holds show enough of common points that [`adjusted`] adjusts some of them.
+pub fn is_held(all: &Poses, moves: impl Fn(usize) -> bool) -> bool {
+    held(all, moves).is_some()
+}
+
+/// Those of the photos for which `moves` holds that common points hold, and by point which of them show it.
+fn held(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<(Vec<usize>, Vec<Vec<Sight<'_>>>)> {
     let mut moving: Vec<usize> = (0..all.photos.len()).filter(|i| moves(*i)).collect();
     let seen = loop {
         let seen = sights(all, &moving);
@@ -144,12 +148,17 @@ pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> 
             break seen;
         }
     };
-    let given = |i: usize| (all.photos[i].rotation, all.photos[i].translation);
     let count: usize = seen.iter().map(Vec::len).sum();
     let placed = seen.iter().filter(|s| !s.is_empty()).count();
-    if moving.len() < 2 || 2 * count < SPARE * 6 * moving.len() + 3 * placed {
-        return None;
-    }
+    let enough = moving.len() >= 2 && 2 * count >= SPARE * 6 * moving.len() + 3 * placed;
+    enough.then_some((moving, seen))
+}
+
+/// Adjusts the photos for which `moves` holds and that show enough points which others of them show too. `None` where those are too
+/// few to hold the poses.
+pub fn adjusted(all: &Poses, moves: impl Fn(usize) -> bool) -> Option<Adjusted> {
+    let (moving, seen) = held(all, moves)?;
+    let given = |i: usize| (all.photos[i].rotation, all.photos[i].translation);
     let mut run = Run {
         all,
         seen,

@@ -214,21 +214,24 @@ pub fn fit(
     let planned = |steps: usize| {
         schedule(&Options { iterations: steps, ..options.clone() }, extent, behind, training, begun_from)
     };
+    let found = options.kept.from.as_ref().and_then(|saved| Trial::from_numbers(saved.beside()));
     let by = match &adjusted {
         _ if !options.refine_poses => None,
         Some((_, photos)) => Some(By::Points { photos: *photos }),
         None if options.refine_untried => Some(By::Untried),
-        None => Some(refining::tried(fitter, &start, &mut pictures, options.iterations, planned, progress)?),
+        None => Some(refining::tried(fitter, &start, &mut pictures, options.iterations, planned, found, progress)?),
     };
     let refining = by.map(|by| Refining { common: adjust::common(given, |i| !is_held_out(i)), by });
-    if let Some(Refining { by: By::Photos(_) | By::Nothing(Some(_)), .. }) = refining {
+    let trial = refining.as_ref().and_then(Refining::trial);
+    if trial.is_some() && found.is_none() {
         clock.lap("trial of poses");
     }
+    let kept = Kept { beside: trial.map(Trial::numbers).unwrap_or_default(), ..options.kept.clone() };
     let mut schedule = planned(options.iterations);
     if let Some(off) = adjusted.as_ref().and_then(|(all, _)| cameras::uncertainty(all, |i| !is_held_out(i))) {
         schedule.rates.pose = schedule.rates.pose.min(pose_rate(off, schedule.iterations, training));
     }
-    let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &options.kept, progress)?;
+    let mut trained = train_kept(fitter, start, &pictures.targets, &schedule, &kept, progress)?;
     let learnt: Vec<bool> = pictures.targets.iter().map(|t| t.fit_exposure).collect();
     brightness::settle(&mut trained.gaussians, &mut trained.exposures, &learnt);
     let refined = refining

@@ -4,9 +4,9 @@ use super::{SceneFormat, Train};
 use crate::Result;
 use crate::cli::format::TileContent;
 use crate::cli::photos::Set;
-use crate::photos::register;
-use crate::pipeline::scene::Cost;
+use crate::photos::{adjust, register};
 use crate::pipeline::scene::plan::{self, Job, Meshes};
+use crate::pipeline::scene::{Cost, Trial};
 use crate::splat;
 
 /// Says what the run takes. `held_out`: one a photo.
@@ -22,6 +22,7 @@ pub fn said(args: &Train, set: &Set, held_out: &[bool], cost: &Cost, most: usize
         longest_side: args.size,
         gaussians: most,
         steps: args.iterations as usize,
+        trial_steps: trial(args, set, held_out)?,
         blocks: args.large.blocks.map_or(1, |n| n as usize),
         on_gpu: cost.on_gpu,
         store_models: args.format.contains(&SceneFormat::Cdb).then_some(args.models as usize),
@@ -37,6 +38,17 @@ pub fn said(args: &Train, set: &Set, held_out: &[bool], cost: &Cost, most: usize
     }
     crate::cli::write_out(&words);
     Ok(0)
+}
+
+/// Steps of a trial of poses, where one is to be made: as the run itself decides it.
+fn trial(args: &Train, set: &Set, held_out: &[bool]) -> Result<usize> {
+    let is_trained_on = |i: usize| !held_out.get(i).copied().unwrap_or(false);
+    let poses = set.poses()?;
+    if !args.photos.refine_poses || args.refine_untried || adjust::is_held(poses, is_trained_on) {
+        return Ok(0);
+    }
+    let photos = (0..poses.photos.len()).filter(|i| is_trained_on(*i)).count();
+    Ok(Trial::steps(args.iterations as usize, photos).map_or(0, |steps| 2 * steps))
 }
 
 /// The meshes that are asked for, where the photos will show ground for them.

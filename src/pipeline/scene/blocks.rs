@@ -233,8 +233,9 @@ impl Run<'_> {
     /// Kept beside the part; a run that was stopped goes on.
     fn kept(&self, part: &Path) -> Result<(Kept, PathBuf)> {
         let file = part.with_file_name(CHECKPOINT_FILE);
-        let from = if file.exists() { Some(Saved::read(&file)?) } else { None };
-        Ok((Kept { file: Some(file.clone()), every: self.options.kept.every, from }, file))
+        let from = if file.exists() { Some(Saved::read(&file)?.into()) } else { None };
+        let kept = Kept { file: Some(file.clone()), every: self.options.kept.every, from, ..Kept::default() };
+        Ok((kept, file))
     }
 
     /// Some photos of the set as a set of its own.

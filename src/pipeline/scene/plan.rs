@@ -27,6 +27,8 @@ pub struct Job {
     pub gaussians: usize,
     /// Of each training: one, or the coarse one and one a block.
     pub steps: usize,
+    /// Of the two trainings together by which it is tried whether photos alone can refine poses; 0 where nothing is tried.
+    pub trial_steps: usize,
     /// 1: the scene as a whole.
     pub blocks: usize,
     pub on_gpu: bool,
@@ -88,6 +90,8 @@ pub struct Plan {
     pub seconds: f64,
     /// Of a block, where the scene is cut.
     pub seconds_of_a_block: f64,
+    /// Of a trial of poses.
+    pub seconds_of_a_trial: f64,
     /// At the end, at most.
     pub gaussians: usize,
     /// Of the disk, at most: the CDB store's, the meshes'.
@@ -142,6 +146,11 @@ fn trained(job: &Job, speed: &Speed) -> Plan {
     let (steps, read) = (job.steps as f64, speed.read * job.file_pixels);
     let measuring = |g: f64| n * (read + DRAWN * (speed.pixel * job.pixels + speed.gaussian * g));
     if blocks == 1 {
+        // Both trainings of a trial are measured before and after; files are read once for all.
+        let trial = match job.trial_steps {
+            0 => 0.0,
+            steps => steps as f64 * step(job.pixels, g) + 4.0 * (measuring(g) - n * read),
+        };
         let c = cost(n, job.pixels);
         return Plan {
             trainings: 1,
@@ -149,8 +158,9 @@ fn trained(job: &Job, speed: &Speed) -> Plan {
             memory: bytes(&c, job.gaussians),
             gpu_memory: c.on_the_gpu(job.gaussians),
             disk: job.gaussians as u64 * PUBLISHED,
-            seconds: n * read + steps * step(job.pixels, g) + measuring(g),
+            seconds: n * read + trial + steps * step(job.pixels, g) + measuring(g),
             seconds_of_a_block: 0.0,
+            seconds_of_a_trial: trial,
             gaussians: job.gaussians,
             store: 0,
             meshes: 0,
@@ -176,6 +186,7 @@ fn trained(job: &Job, speed: &Speed) -> Plan {
         disk: end as u64 * (PUBLISHED + PART) + half as u64 * PART + job.gaussians as u64 * CHECKPOINT,
         seconds: coarse_seconds + blocks as f64 * seconds_of_a_block + measuring(end as f64),
         seconds_of_a_block,
+        seconds_of_a_trial: 0.0,
         gaussians: end,
         store: 0,
         meshes: 0,
@@ -264,6 +275,9 @@ impl Plan {
             if self.gpu_memory > 0 { format!(", and {} of the GPU's", gib(self.gpu_memory)) } else { String::new() };
         out += &format!("  memory  about {}{gpu}, {} photos at a time\n", gib(self.memory), self.photos_at_a_time);
         out += &format!("  time    about {} on this machine", time(self.seconds));
+        if self.seconds_of_a_trial > 0.0 {
+            out += &format!(", of it {} at most to try whether poses can be refined", time(self.seconds_of_a_trial));
+        }
         if job.blocks > 1 {
             out += &format!(": the coarse scene, then {} blocks of {}", job.blocks, time(self.seconds_of_a_block));
         }
@@ -294,6 +308,7 @@ mod tests {
             longest_side: 1600,
             gaussians: 1_000_000,
             steps: 30_000,
+            trial_steps: 0,
             blocks,
             on_gpu: false,
             store_models: None,
@@ -338,6 +353,20 @@ mod tests {
         let words = many.words(&Job { store_models: Some(32), ..job(40, 1) });
         assert!(words.contains("CDB store with up to 32 models"), "{words}");
         assert!(!without.words(&job(40, 1)).contains("CDB"));
+    }
+
+    #[test]
+    fn a_trial_of_poses_takes_time_by_its_steps_and_is_named() {
+        let with = |trial_steps| plan(&Job { trial_steps, ..job(400, 1) }, &SPEED);
+        let [none, some, twice] = [0, 15_000, 30_000].map(with);
+        assert!((none.seconds + some.seconds_of_a_trial - some.seconds).abs() < 1e-6 && none.memory == some.memory);
+        // As a training of as many steps, and what four measurements take.
+        let of_steps = plan(&Job { steps: 45_000, ..job(400, 1) }, &SPEED).seconds - none.seconds;
+        let measured = some.seconds_of_a_trial - of_steps;
+        assert!((twice.seconds_of_a_trial - 2.0 * of_steps - measured).abs() < 1e-6);
+        assert!(measured > 0.0 && measured < 0.2 * of_steps, "{measured} {of_steps}");
+        assert!(some.words(&Job { trial_steps: 15_000, ..job(400, 1) }).contains("whether poses can be refined"));
+        assert!(!none.words(&job(400, 1)).contains("refined"));
     }
 
     #[test]

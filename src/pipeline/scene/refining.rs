@@ -56,11 +56,26 @@ impl Trial {
         (steps >= LEAST_TURNS * photos).then_some(steps)
     }
 
+    /// As a run's checkpoint keeps it, so that a run that goes on from there need not try again.
+    pub(super) fn numbers(&self) -> Vec<u64> {
+        vec![self.steps as u64, self.gain.to_bits(), self.error.to_bits()]
+    }
+
+    /// `None` where a checkpoint keeps none: of a run that refined no poses, or that had nothing to try.
+    pub(super) fn from_numbers(numbers: &[u64]) -> Option<Trial> {
+        let [steps, gain, error] = *numbers else { return None };
+        Some(Trial { steps: steps as usize, gain: f64::from_bits(gain), error: f64::from_bits(error) })
+    }
+
     fn of(steps: usize, gains: &[f64]) -> Trial {
         let n = gains.len().max(1) as f64;
         let gain = gains.iter().sum::<f64>() / n;
         let squares: f64 = gains.iter().map(|g| (g - gain).powi(2)).sum();
         Trial { steps, gain, error: (squares / (n - 1.0).max(1.0) / n).sqrt() }
+    }
+
+    fn verdict(self) -> By {
+        if self.is_gain() { By::Photos(self) } else { By::Nothing(Some(self)) }
     }
 
     fn is_gain(&self) -> bool {
@@ -69,7 +84,7 @@ impl Trial {
 }
 
 /// Tries whether the photos alone can refine the poses; `pictures` are left to be trained on as that says. `schedule`: of so many
-/// steps.
+/// steps. `known`: what the run that this one goes on from found; then nothing is tried.
 ///
 /// # Errors
 /// As [`train_kept`].
@@ -79,6 +94,7 @@ pub fn tried(
     pictures: &mut Pictures,
     iterations: usize,
     schedule: impl Fn(usize) -> splat::Options,
+    known: Option<Trial>,
     progress: &dyn Progress,
 ) -> Result<By> {
     let is_trained_on: Vec<bool> = pictures.targets.iter().map(|t| t.weight > 0.0).collect();
@@ -88,6 +104,12 @@ pub fn tried(
         still(&mut pictures.targets);
         return Ok(By::Nothing(None));
     };
+    if let Some(trial) = known {
+        if !trial.is_gain() {
+            still(&mut pictures.targets);
+        }
+        return Ok(trial.verdict());
+    }
     let options = schedule(steps);
     let psnr = |targets: &[Target], before: usize| -> Result<Vec<f64>> {
         let part = PartOf { progress, before: before as u64 };
@@ -102,11 +124,10 @@ pub fn tried(
     let given = psnr(&pictures.targets, steps)?;
     let gains: Vec<f64> = refined.iter().zip(&given).map(|(r, g)| r - g).collect();
     let trial = Trial::of(steps, &gains);
-    if !trial.is_gain() {
-        return Ok(By::Nothing(Some(trial)));
+    if trial.is_gain() {
+        pictures.targets.iter_mut().zip(pivots).for_each(|(t, pivot)| t.refine_pose = pivot);
     }
-    pictures.targets.iter_mut().zip(pivots).for_each(|(t, pivot)| t.refine_pose = pivot);
-    Ok(By::Photos(trial))
+    Ok(trial.verdict())
 }
 
 /// One of several trainings that are one stage.
@@ -184,6 +205,9 @@ mod tests {
         // Of no photo's own, of hardly any, of one photo among many that lose.
         assert!(!Trial::of(100, &[]).is_gain() && !Trial::of(100, &[0.2, 0.2, 0.2]).is_gain());
         assert!(!Trial::of(100, &[-0.3, -0.2, 4.0, -0.4, -0.2]).is_gain());
+        // In a checkpoint and back, to the bit.
+        assert_eq!(Trial::from_numbers(&sure.numbers()), Some(sure));
+        assert_eq!((Trial::from_numbers(&[]), sure.verdict()), (None, By::Photos(sure)));
         assert_eq!([100, 400, 1500, 30_000].map(|n| Trial::steps(n, 21)), [None, Some(100), Some(375), Some(525)]);
         let words = |by, points| Refining { common: Common { observations: 2 * points, points }, by }.words();
         assert!(words(By::Nothing(Some(sure)), 8).contains("16 observations of 8 common points are too few"));

@@ -1,6 +1,7 @@
 //! What a run goes on from, in memory and in a file.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use bytemuck::{bytes_of, cast_slice};
 use glam::{Mat3, Vec3};
@@ -94,7 +95,9 @@ impl Every {
 pub struct Kept {
     pub file: Option<PathBuf>,
     pub every: Every,
-    pub from: Option<Saved>,
+    pub from: Option<Arc<Saved>>,
+    /// Numbers of the caller's that stand in the file beside it, for a run that goes on from it: [`Saved::beside`].
+    pub beside: Vec<u64>,
 }
 
 /// A checkpoint as it stands in a file.
@@ -104,6 +107,7 @@ pub struct Saved {
     pub iterations: usize,
     run: Run,
     checkpoint: Checkpoint,
+    beside: Vec<u64>,
 }
 
 /// What must be the same for a run to go on: SHA-256 of each, and where it ran.
@@ -126,6 +130,8 @@ struct Head {
     gaussians: usize,
     cameras: usize,
     run: Run,
+    #[serde(default)]
+    beside: Vec<u64>,
 }
 
 /// A camera in the file: width and height, then fx fy cx cy, the rotation's columns, the translation.
@@ -167,8 +173,13 @@ impl Run {
 }
 
 impl Saved {
-    pub(super) fn new(run: &Run, iterations: usize, checkpoint: &Checkpoint) -> Saved {
-        Saved { iterations, run: run.clone(), checkpoint: checkpoint.clone() }
+    pub(super) fn new(run: &Run, iterations: usize, checkpoint: &Checkpoint, beside: &[u64]) -> Saved {
+        Saved { iterations, run: run.clone(), checkpoint: checkpoint.clone(), beside: beside.to_vec() }
+    }
+
+    /// What the run that wrote it kept beside it ([`Kept::beside`]); none where it kept nothing.
+    pub fn beside(&self) -> &[u64] {
+        &self.beside
     }
 
     /// Reads a file written by [`Saved::write`].
@@ -229,6 +240,7 @@ impl Saved {
             gaussians: c.gaussians.len(),
             cameras: c.cameras.len(),
             run: self.run.clone(),
+            beside: self.beside.clone(),
         };
         // Plain numbers and strings: this cannot fail.
         let head = serde_json::to_vec(&head).unwrap_or_default();
@@ -284,7 +296,7 @@ impl Saved {
         let gaussians = Packed { core, sh };
         let checkpoint =
             Checkpoint { iteration: head.iteration, gaussians, moments, statistics, cameras: views, poses, exposures };
-        Some(Saved { iterations: head.iterations, run: head.run, checkpoint })
+        Some(Saved { iterations: head.iterations, run: head.run, checkpoint, beside: head.beside })
     }
 }
 
@@ -341,7 +353,7 @@ mod tests {
         c.cameras[0].translation.y += 0.125;
         c.exposures[0].step(&[[0.1; 4]; 3], 0.25, 0.0);
         c.poses[0] = Pose::from_words(&std::array::from_fn(|k| if k % 4 == 3 { 0.0 } else { k as f32 }));
-        (Saved::new(&run, 70, &c), targets, options)
+        (Saved::new(&run, 70, &c, &[7, u64::MAX]), targets, options)
     }
 
     #[test]
@@ -365,6 +377,7 @@ mod tests {
         saved.write(&path).unwrap();
         let read = Saved::read(&path).unwrap();
         assert_eq!(read, saved);
+        assert_eq!(read.beside(), [7, u64::MAX]);
         let start = Checkpoint::new(&scene(5, 0.1, 1), &targets).unwrap();
         let now = |targets: &[Target], o: &Options| Run::new(Engine::Cpu, &start, targets, o);
         // A deadline is no part of what the run is.

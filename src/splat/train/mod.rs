@@ -285,7 +285,7 @@ fn in_parts(
         (all.checkpoint, all.stopped) = (part.checkpoint, part.stopped);
         last = Some((all.checkpoint.iteration - from, clock.elapsed().as_secs_f64()));
         if let (Some(file), Some(run)) = (&kept.file, &named) {
-            Saved::new(run, options.iterations, &all.checkpoint).write(file)?;
+            Saved::new(run, options.iterations, &all.checkpoint, &kept.beside).write(file)?;
         }
         if all.stopped == Some(Stop::Interrupt) {
             let stopped = Error::cancelled();

@@ -1,9 +1,13 @@
 //! Poses that are off, refined in training.
 
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
 use glam::DQuat;
 
 use super::*;
 use crate::photos::Observation;
+use crate::splat::train::Saved;
 use crate::splat::train::random::Random;
 
 /// Every camera turned about its eye, and its eye moved by parts of its distance; both in standard deviations along each axis.
@@ -106,4 +110,66 @@ fn poses_that_are_right_are_left_alone_where_photos_alone_would_say() {
     let refining = few.refining.unwrap();
     assert!(refining.by == By::Nothing(None) && refining.common.points > 0, "{refining:?}");
     assert!(refining.words().contains("too few for an adjustment") && few.refined.is_none());
+}
+
+/// Hears what stages begin, and stops the training after so many steps.
+struct Heard {
+    stages: Mutex<Vec<&'static str>>,
+    stop: Option<u64>,
+    stopped: AtomicBool,
+}
+
+impl Heard {
+    fn until(stop: Option<u64>) -> Heard {
+        Heard { stages: Mutex::default(), stop, stopped: AtomicBool::new(false) }
+    }
+
+    fn has(&self, stage: &'static str) -> bool {
+        self.stages.lock().unwrap().contains(&stage)
+    }
+}
+
+impl Progress for Heard {
+    fn begin(&self, stage: &'static str, _: u64) {
+        self.stages.lock().unwrap().push(stage);
+    }
+    fn step(&self, done: u64) {
+        if self.has("optimise Gaussians") && self.stop.is_some_and(|stop| done >= stop) {
+            self.stopped.store(true, Relaxed);
+        }
+    }
+    fn cancelled(&self) -> bool {
+        self.stopped.load(Relaxed)
+    }
+}
+
+#[test]
+fn a_run_that_goes_on_knows_what_its_trial_found() {
+    const TRIAL: &str = "trying to refine poses";
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("run");
+    // Poses that are right, which the trial leaves alone, and poses that are off, which it finds can be refined.
+    for (turn, refines) in [(0.0, false), (0.02, true)] {
+        let run = |kept: Kept, progress: &dyn Progress| {
+            let options = Options { refine_poses: true, iterations: 400, max_gaussians: 9000, kept, ..brief() };
+            with_source(&SITE, false, |source| {
+                let poses = off(source.poses, turn, turn / 2.0);
+                fit(&Source { poses: &poses, ..*source }, splat::Engine::Cpu, &options, None, progress)
+            })
+        };
+        let whole = run(Kept::default(), &Silent).unwrap();
+        let kept = Kept { file: Some(file.clone()), ..Kept::default() };
+        let first = Heard::until(Some(150));
+        let e = run(kept.clone(), &first).map(|_| ()).unwrap_err();
+        assert!(e.kind == crate::Kind::Cancelled && first.has(TRIAL), "{e}");
+        let second = Heard::until(None);
+        let from = Some(Saved::read(&file).unwrap().into());
+        let end = run(Kept { from, ..kept }, &second).unwrap();
+        assert!(!second.has(TRIAL) && second.has("optimise Gaussians"));
+        assert!(end.gaussians == whole.gaussians && end.cameras == whole.cameras);
+        assert_eq!(end.refining, whole.refining);
+        let verdict = end.refining.unwrap();
+        assert_eq!(verdict.moved(), refines, "{verdict:?}");
+        assert!(verdict.trial().is_some() && !end.timings.iter().any(|t| t.stage == "trial of poses"));
+    }
 }

@@ -163,10 +163,10 @@ fn a_run_stopped_by_the_user_goes_on_from_its_file() {
         let run = |kept: &Kept, progress: &dyn Progress| train_kept(engine, start.clone(), &targets, o, kept, progress);
         let whole = run(&Kept::default(), &Silent).unwrap();
         // Every third step is written; the user stops it twice, the second time after it was taken up.
-        let kept = Kept { file: Some(file.clone()), every: Every::Iterations(3), from: None };
+        let kept = Kept { file: Some(file.clone()), every: Every::Iterations(3), ..Kept::default() };
         let e = run(&kept, &StoppedAfter(10, 0.into())).unwrap_err();
         assert!(e.kind == crate::Kind::Cancelled && e.to_string().contains("--resume"), "{e}");
-        let again = || Kept { from: Some(Saved::read(&file).unwrap()), ..kept.clone() };
+        let again = || Kept { from: Some(Saved::read(&file).unwrap().into()), ..kept.clone() };
         run(&again(), &StoppedAfter(25, 0.into())).unwrap_err();
         let end = run(&again(), &Silent).unwrap();
         assert_eq!(end.gaussians, whole.gaussians);
@@ -176,7 +176,7 @@ fn a_run_stopped_by_the_user_goes_on_from_its_file() {
         assert_eq!(run(&again(), &Silent).unwrap().gaussians, whole.gaussians);
     }
     // Of another engine.
-    let kept = Kept { from: Some(Saved::read(&file).unwrap()), ..Kept::default() };
+    let kept = Kept { from: Some(Saved::read(&file).unwrap().into()), ..Kept::default() };
     let e = train_kept(Engine::Cpu, start, &targets, &mcmc, &kept, &Silent).unwrap_err();
     assert!(e.kind == crate::Kind::Usage && e.to_string().contains("engine"), "{e}");
 }
