@@ -469,6 +469,10 @@ fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
     assert_eq!(of("block_002/gaussians.part"), Some(sha("parts/block_002/gaussians.part")));
     assert!(of("coarse/orb-record.dsse.json").is_some() && of("block_001/gaussians.part").is_none());
     assert_eq!(p["params"]["parts_run"], predicate(&b.at("parts/block_002"))["params"]["parts_run"]);
+    assert_eq!(
+        (p["params"]["parts_verified"].clone(), p["params"]["parts_not_verified"].clone()),
+        (2.into(), 0.into())
+    );
     b.good(&["audit", "report", "out", "--format", "markdown", "-o", "report.md"]);
     let report = std::fs::read_to_string(b.at("report.md")).unwrap();
     assert!(report.contains("block_002/") && report.contains("record"), "{report}");
@@ -479,6 +483,30 @@ fn a_plan_is_said_and_blocks_of_several_runs_are_put_together() {
     let said = String::from_utf8_lossy(&changed.stderr).into_owned();
     assert!(changed.status.code() == Some(1) && said.contains("as its record says"), "{said}");
     std::fs::write(b.at("parts/coarse/gaussians.part"), kept).unwrap();
+    // So is one whose record says something else than what was signed, as `orb audit verify` finds it.
+    let whole = std::fs::read(b.at("parts/block_002/orb-record.dsse.json")).unwrap();
+    let other = std::fs::read(b.at("parts/coarse/orb-record.dsse.json")).unwrap();
+    let signature = |bytes: &[u8]| -> String {
+        let envelope: Value = serde_json::from_slice(bytes).unwrap();
+        envelope["signatures"][0]["sig"].as_str().unwrap().to_owned()
+    };
+    let forged = String::from_utf8(whole.clone()).unwrap().replace(&signature(&whole), &signature(&other));
+    std::fs::write(b.at("parts/block_002/orb-record.dsse.json"), forged).unwrap();
+    let again = [&["train", &set, "--blocks", "2", "--parts", "parts", "-o", "no"], &BRIEF[..6]].concat();
+    let forged = b.orb(&again);
+    let said = String::from_utf8_lossy(&forged.stderr).into_owned();
+    assert!(forged.status.code() == Some(1) && said.contains("SIG_INVALID") && !b.at("no").exists(), "{said}");
+    std::fs::write(b.at("parts/block_002/orb-record.dsse.json"), whole).unwrap();
+    // Of somebody whom nobody here vouches for it is said.
+    let stranger = Command::new(env!("CARGO_BIN_EXE_orb"))
+        .args(&again[..again.len()])
+        .arg("--plan")
+        .env("ORB_DATA_DIR", b.at("elsewhere"))
+        .current_dir(b.at("."))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&stranger.stderr).into_owned();
+    assert!(stranger.status.success() && said.contains("not verified") && said.contains("TRUST"), "{said}");
     // Another seed is another run.
     let args = [&["train", &set, "--blocks", "2", "--parts", "parts", "--seed", "1", "-o", "no"], &BRIEF[..6]].concat();
     assert!(b.refused(&args).contains("--parts"));

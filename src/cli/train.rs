@@ -239,6 +239,9 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
     let stem = geo::stem_of(&args.data);
     let output = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}_scene")));
     let standing = args.large.standing(&output)?;
+    for words in standing.iter().filter_map(|p| p.doubt.as_ref()) {
+        eprintln!("orb: warning: {words}");
+    }
     let mut carried: Vec<_> = set.carried().to_vec();
     carried.extend(standing.iter().map(|p| p.marking.clone()));
     carried.extend(around.iter().map(around::Around::carried).collect::<Result<Vec<_>>>()?);
@@ -419,6 +422,7 @@ pub fn run(args: &Train, stop: &AtomicBool) -> Result<u8> {
         params: told::params(args, &options, &set, &done, placed.as_ref())
             .into_iter()
             .chain(cut.iter().flat_map(parts::of_run))
+            .chain(cut.iter().flat_map(|_| parts::verified(&standing)))
             .chain(stored.iter().flat_map(store::Stored::params))
             .chain(meshed.iter().flat_map(tiles::Tiled::params))
             .collect(),

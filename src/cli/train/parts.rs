@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use super::{Train, told};
 use crate::audit::marking::handling::Handling;
 use crate::audit::publication::RECORD;
+use crate::audit::report::Verdict;
 use crate::audit::statement::{Input, Param};
-use crate::audit::{Marking, record, time, verify};
+use crate::audit::verify::Request;
+use crate::audit::{DataFolder, Marking, TrustStore, record, time, verify};
 use crate::cli::photos::Set;
 use crate::cli::sealed::{Evidence, SealedRun};
 use crate::pipeline::scene::blocks::{self, PART_FILE};
@@ -27,12 +29,15 @@ pub struct Standing {
     pub inputs: Vec<Input>,
     /// What its record says that it is marked.
     pub marking: Option<Marking>,
+    /// Why nobody can say who sealed it, where it has a record: as `orb audit verify` finds it.
+    pub doubt: Option<String>,
 }
 
 /// The parts of a run in `count` blocks that stand in a folder.
 ///
 /// # Errors
-/// Environment for what cannot be read; integrity for a part that is not the one of the record beside it.
+/// Environment for what cannot be read; integrity for a part that is not the one of the record beside it, and for a folder that
+/// `orb audit verify` finds changed.
 pub fn standing(folder: &Path, count: usize) -> Result<Vec<Standing>> {
     let names = std::iter::once(blocks::COARSE.to_owned()).chain((0..count).map(blocks::name));
     let mut out = Vec::new();
@@ -45,7 +50,7 @@ pub fn standing(folder: &Path, count: usize) -> Result<Vec<Standing>> {
         };
         if !at.join(RECORD).is_file() {
             let inputs = vec![input(PART_FILE, &bytes, "application/octet-stream", "part", &None)];
-            out.push(Standing { name, inputs, marking: None });
+            out.push(Standing { name, inputs, marking: None, doubt: None });
             continue;
         }
         let (_, statement) = verify::read_record(&at)?;
@@ -61,9 +66,44 @@ pub fn standing(folder: &Path, count: usize) -> Result<Vec<Standing>> {
         let record = at.join(RECORD);
         let bytes = std::fs::read(&record).map_err(|e| Error::io(&record, &e))?;
         let beside = input(RECORD, &bytes, "application/json", "record", &None);
-        out.push(Standing { name, inputs: vec![part, beside], marking });
+        let doubt = doubt(&at)?;
+        out.push(Standing { name, inputs: vec![part, beside], marking, doubt });
     }
     Ok(out)
+}
+
+/// Verifies a part's folder as `orb audit verify` does, with the keys that this user trusts. What keeps it from passing where nothing
+/// was changed: a signer that nobody vouches for, a record that is not whole.
+///
+/// # Errors
+/// Integrity for what is not as its record says; environment for what cannot be read.
+fn doubt(at: &Path) -> Result<Option<String>> {
+    let data = DataFolder::from_environment(|name| std::env::var_os(name))?;
+    let trust = TrustStore::load(&data, &[])?;
+    let report = verify::verify(&Request::new(at, &trust, time::now()?.unix_ms))?;
+    let worst = || report.findings.iter().filter(|f| f.verdict == report.verdict);
+    let codes: Vec<String> = worst().map(|f| format!("{} of {}", f.code, f.subject)).collect();
+    let found = format!("{}. {}", codes.join(", "), worst().next().map_or("", |f| f.hint.as_str()));
+    match report.verdict {
+        Verdict::Pass => Ok(None),
+        Verdict::Fail => Err(Error::integrity(at.display().to_string())
+            .expected("a part's folder as it was sealed")
+            .found(found.trim_end().to_owned())
+            .advice("See `orb audit verify` on it. Remove the folder: it is trained again.")),
+        Verdict::Incomplete | Verdict::Refused => {
+            Ok(Some(format!("{} is not verified: {}", at.display(), found.trim_end())))
+        }
+    }
+}
+
+/// How many of the parts that stood there have a record that is verified, and how many one that nobody can verify here.
+pub fn verified(standing: &[Standing]) -> Vec<(String, Param)> {
+    let sealed = || standing.iter().filter(|p| p.inputs.len() > 1);
+    let doubted = sealed().filter(|p| p.doubt.is_some()).count();
+    vec![
+        ("parts_verified".into(), Param::Int((sealed().count() - doubted) as i64)),
+        ("parts_not_verified".into(), Param::Int(doubted as i64)),
+    ]
 }
 
 /// Parts that this run will train and seal, each in its own folder: with `--block`.
