@@ -1,5 +1,6 @@
 //! From a reconstruction to placed files: metres, subject frame, formats, preview.
 
+mod around;
 mod atlas;
 mod coarser;
 pub mod import;
@@ -24,13 +25,14 @@ use crate::preview::{self, Tile};
 use crate::splat::{self, Camera, Frame, Gaussians};
 use crate::{Error, Kind, Result, symmetry, views};
 
+pub use around::Around;
 pub use mesh_tree::{FOLDER as MESH_TREE, MeshTree};
 pub use model::{glb, tiles3d, usdz};
 pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
 pub use sheet::scene_png;
 pub use splat_tree::{TILE as TILE_OF_SPLATS, splat_tree};
 pub use standing::standing;
-pub use terrain::{Around, OnEarth, Patch, add_terrain, fill_from, levels, pixel_of};
+pub use terrain::{OnEarth, Patch, add_terrain, fill_from, levels, pixel_of};
 
 /// One level of detail in the subject frame, metres.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use glam::{DVec3, Vec2};
 use orb_formats::File;
 use orb_formats::cdb::{self, Store};
 
-use super::{Labels, format_error};
+use super::{Around, Labels, format_error};
 use crate::Result;
 use crate::geo::{Enu, Geodetic};
 use crate::photos::register::Registration;
@@ -100,21 +100,19 @@ pub fn pixel_of(lod: i8) -> f64 {
     cdb::geocell::DEGREE / 1024.0 / 2f64.powi(lod.into())
 }
 
-/// Terrain that is known around a surface: the height above the ellipsoid at a latitude and longitude.
-pub type Around<'a> = &'a dyn Fn(f64, f64) -> Option<f64>;
-
 /// Lets the terrain around a surface say what lies in its holes; what the two differ by, in the surface's unit.
-pub fn fill_from(surface: &mut Surface, earth: &OnEarth, around: Around) -> Option<Against> {
+pub fn fill_from(surface: &mut Surface, earth: &OnEarth, around: &Around) -> Option<Against> {
     let scale = earth.registration.to_enu.scale;
     surface.fill_with(|at, z| {
         let here = earth.place(at.as_dvec2().extend(z.into()));
-        Some(z + ((around(here.latitude, here.longitude)? - here.height) / scale) as f32)
+        let (height, share) = around.at(here.latitude, here.longitude)?;
+        Some((z + ((height - here.height) / scale) as f32, share as f32))
     })
 }
 
 /// The files of terrain and imagery that a store gets. Over the band around the surface what it differs by from the terrain
 /// `around` at the outline's nearest place goes to nothing, so that the terrain's own shape stays; where none is known, the height
-/// of that place goes over into `level`.
+/// of that place goes over into what the store has, or `level`.
 ///
 /// # Errors
 /// What [`cdb::ground::add_patch`] refuses.
@@ -123,7 +121,7 @@ pub fn add_terrain(
     surface: &Surface,
     picture: &Nadir,
     earth: &OnEarth,
-    around: Option<Around>,
+    around: Option<&Around>,
     lods: [i8; 2],
     labels: &Labels,
 ) -> Result<Patch> {
@@ -137,11 +135,12 @@ pub fn add_terrain(
             let around = around.filter(|_| share > 0.0 && share < 1.0)?;
             let edge = surface.nearest(at);
             let edge = earth.place(edge.as_dvec2().extend(surface.height(edge).into()));
-            Some(around(latitude, longitude)? - around(edge.latitude, edge.longitude)?)
+            let (here, there) = (around.at(latitude, longitude)?, around.at(edge.latitude, edge.longitude)?);
+            Some((here.0 - there.0) * here.1.min(there.1))
         };
         (share > 0.0).then(|| (height + off().unwrap_or(0.0), f64::from(share)))
     };
-    let mut known = |latitude: f64, longitude: f64| around.and_then(|of| of(latitude, longitude));
+    let mut known = |latitude: f64, longitude: f64| around.and_then(|of| of.at(latitude, longitude));
     let mut colors = |latitude: f64, longitude: f64| {
         let (at, _) = earth.on(surface, latitude, longitude, level);
         let share = surface.share(at);

@@ -9,6 +9,7 @@ use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::Tag;
 
 use super::datum::{AltDatum, Height, to_ellipsoid};
+use super::{Enu, Geodetic};
 use crate::{Error, Result};
 use keys::Keys;
 
@@ -112,6 +113,28 @@ impl<R: Read + Seek> Dem<R> {
         let (w, h) = (f64::from(self.size.0), f64::from(self.size.1));
         let inside = |(x, y)| (-0.5..=w - 0.5).contains(&x) && (-0.5..=h - 0.5).contains(&y);
         self.keys.pixel(latitude, longitude).is_some_and(inside)
+    }
+
+    /// How many posts a point lies inside the file's nearest edges, along its rows and its columns; less than nothing outside. `None`
+    /// where its coordinates say nothing.
+    pub fn margin(&self, latitude: f64, longitude: f64) -> Option<[f64; 2]> {
+        let (x, y) = self.keys.pixel(latitude, longitude)?;
+        let within = |v: f64, n: u32| (v + 0.5).min(f64::from(n) - 0.5 - v);
+        Some([within(x, self.size.0), within(y, self.size.1)])
+    }
+
+    /// Metres between posts along rows and along columns, about a point.
+    pub fn spacing(&self, latitude: f64, longitude: f64) -> Option<[f64; 2]> {
+        /// Metres on the ground between the points that are compared.
+        const STEP: f64 = 1.0;
+        let here = Geodetic { latitude, longitude, height: 0.0 };
+        let at = |east: f64, north: f64| {
+            let there = here.offset(Enu { east, north, up: 0.0 });
+            self.keys.pixel(there.latitude, there.longitude)
+        };
+        let (a, b, c) = (at(0.0, 0.0)?, at(STEP, 0.0)?, at(0.0, STEP)?);
+        let posts = [(b.0 - a.0).hypot(c.0 - a.0), (b.1 - a.1).hypot(c.1 - a.1)];
+        Some(posts.map(|n| STEP / n))
     }
 
     /// Mean or lowest ground over points of a footprint, and its spread.

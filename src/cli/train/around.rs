@@ -53,6 +53,18 @@ impl Around {
         if covered { dem.ground(latitude, longitude).ok().map(|h| h.ellipsoidal) } else { None }
     }
 
+    /// Metres that a place lies inside the file's edge, less than nothing outside. `metres`: between posts, as [`Around::spacing`]
+    /// has them.
+    pub fn depth(&self, latitude: f64, longitude: f64, metres: [f64; 2]) -> f64 {
+        let margin = self.dem.borrow().margin(latitude, longitude);
+        margin.map_or(f64::NEG_INFINITY, |[x, y]| (x * metres[0]).min(y * metres[1]))
+    }
+
+    /// Metres between posts along rows and columns about the scene's place.
+    pub fn spacing(&self, place: Geodetic) -> [f64; 2] {
+        self.dem.borrow().spacing(place.latitude, place.longitude).unwrap_or([1.0; 2])
+    }
+
     /// # Errors
     /// Usage where the file has no height at the scene's place: it is of another place, or damaged.
     pub fn check(&self, place: Geodetic) -> Result<()> {

@@ -127,9 +127,19 @@ pub fn publish(
     let mut surface = ground.surface(done, &bodies::cleared(is_ground, chosen))?;
     let earth = OnEarth::new(&placed.registration);
     let height = |latitude: f64, longitude: f64| around.and_then(|a| a.height(latitude, longitude));
-    let known: Option<export::Around> = if around.is_some() { Some(&height) } else { None };
-    let against = around.and_then(|a| {
-        let found = export::fill_from(&mut surface, &earth, &height)?;
+    let spacing = around.map_or([1.0; 2], |a| a.spacing(placed.registration.origin));
+    let depth =
+        |latitude: f64, longitude: f64| around.map_or(f64::NEG_INFINITY, |a| a.depth(latitude, longitude, spacing));
+    let known = around.map(|_| export::Around::new(&surface, &earth, &height, &depth));
+    let against = around.zip(known.as_ref()).and_then(|(a, known)| {
+        if known.ends {
+            say(&format!(
+                "{} ends within the scene's terrain, or has a hole there: over {:.1} m before it goes over into what is around without it",
+                a.name,
+                f64::from(surface.band) * scale
+            ));
+        }
+        let found = export::fill_from(&mut surface, &earth, known)?;
         let metres = |v: f32| f64::from(v) * scale;
         Some((a.name.clone(), metres(found.median), found.quartiles.map(metres)))
     });
@@ -174,7 +184,7 @@ pub fn publish(
     let ceiling = ground.ceiling();
     let drawn = seen.filtered(|i| i < *near && seen.positions[i].z < ceiling && !modelled.contains(&i));
     let picture = Nadir::of(&drawn, surface.bounds(), pixel);
-    let patch = export::add_terrain(&grown, &surface, &picture, &earth, known, lods, labels)?;
+    let patch = export::add_terrain(&grown, &surface, &picture, &earth, known.as_ref(), lods, labels)?;
     patch.notes.iter().for_each(|n| say(n));
     grown.take(patch.files);
     grown.publish(&labels.stem, &folders, publication)?;

@@ -84,6 +84,26 @@ fn a_grid_in_utm_and_whole_feet() {
 }
 
 #[test]
+fn how_far_a_point_lies_inside_is_told_in_posts_and_posts_in_metres() {
+    // 20 × 16 posts of 0.01°, the first at 34.595, −118.595.
+    let dem = open(degrees(4979)).unwrap();
+    let close = |found: Option<[f64; 2]>, want: [f64; 2], off: f64| {
+        let found = found.unwrap();
+        assert!((0..2).all(|k| (found[k] - want[k]).abs() < off), "{found:?} {want:?}");
+    };
+    close(dem.margin(34.59, -118.57), [3.0, 1.0], 1e-6);
+    close(dem.margin(34.45, -118.41), [1.0, 1.0], 1e-6);
+    close(dem.margin(34.52, -118.62), [-2.0, 8.0], 1e-6);
+    close(dem.spacing(34.5, -118.5), [918.0, 1109.0], 1.0);
+    let centre = Utm::of(34.5523, -118.4712);
+    let tie = [centre.easting - 250.0, centre.northing + 250.0];
+    let keys = [[1024, 0, 1, 1], [1025, 0, 1, 1], [3072, 0, 1, 32611], [4096, 0, 1, 4979]];
+    let grid = open(geotiff::<GrayI16, i16>(&keys, tie, 10.0, (50, 50), "", &[0; 2500])).unwrap();
+    close(grid.margin(34.5523, -118.4712), [25.0, 25.0], 1e-6);
+    close(grid.spacing(34.5523, -118.4712), [10.0, 10.0], 0.01);
+}
+
+#[test]
 fn what_is_not_covered_is_refused() {
     let mut dem = open(degrees(4979)).unwrap();
     for (lat, lon) in [(34.61, -118.5), (34.5, -118.61), (34.43, -118.5), (34.5, -118.39), (-34.5, 118.5)] {

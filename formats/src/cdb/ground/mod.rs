@@ -79,11 +79,15 @@ pub fn add_ground(store: &dyn Store, mut ground: Ground) -> Result<AddedGround> 
     let tiles = touched(&ground, lod)?;
     let mut notes = Vec::new();
     let (place, radius) = ((ground.latitude, ground.longitude, ground.height), ground.radius);
+    let has_terrain = ground.terrain.is_some();
     let mut shape = |latitude: f64, longitude: f64, there: f64| flattened(place, radius, latitude, longitude, there);
+    let mut known = ground.terrain.take();
+    let mut all_of_it = |a: f64, b: f64| known.as_mut().and_then(|of| of(a, b)).map(|height| (height, 1.0));
     let mut terrain = Terrain {
         tiles: &tiles,
         level: ground.height,
-        known: ground.terrain.take(),
+        known: if has_terrain { Some(&mut all_of_it) } else { None },
+        fades: false,
         shape: &mut shape,
         marking: ground.marking,
     };
@@ -151,8 +155,11 @@ struct Terrain<'a, 'k, 's> {
     tiles: &'a BTreeSet<Tile>,
     /// Height of what is not known otherwise.
     level: f64,
-    /// Wins over what the store holds.
-    known: Option<Known<'k, f64>>,
+    /// Wins over what the store holds, by its share.
+    known: Option<Known<'k, (f64, f64)>>,
+    /// Whether its share goes to nothing where it ends: finer levels then begin without it, so that its share counts once. Else they
+    /// begin with what it says in the coarser ones, over the width of a few posts of each.
+    fades: bool,
     /// Latitude, longitude, the height there → the height in the finest level.
     shape: &'s mut dyn FnMut(f64, f64, f64) -> f64,
     marking: &'a str,
@@ -161,11 +168,13 @@ struct Terrain<'a, 'k, 's> {
 fn elevation(store: &dyn Store, terrain: &mut Terrain, notes: &mut Vec<String>) -> Result<Vec<File>> {
     let order = pyramid(terrain.tiles);
     let mut rasters: BTreeMap<Tile, Vec<f32>> = BTreeMap::new();
+    // Without what is known otherwise, of the level above.
+    let mut bare: BTreeMap<Tile, Vec<f32>> = BTreeMap::new();
     let mut held = false;
     for &tile in &order {
         let stored = stored(store, tile)?;
         held |= stored.is_some();
-        let parent = tile.parent().and_then(|p| rasters.get(&p));
+        let parent = tile.parent().and_then(|p| bare.get(&p).or_else(|| rasters.get(&p)));
         let side = side(tile.lod) as usize;
         let mut heights = match (stored, parent) {
             (Some(heights), _) => heights,
@@ -174,10 +183,15 @@ fn elevation(store: &dyn Store, terrain: &mut Terrain, notes: &mut Vec<String>) 
         };
         let grid = elevation_grid(tile);
         if let Some(known) = &mut terrain.known {
+            if terrain.fades {
+                bare.retain(|of, _| of.lod >= tile.lod - 1);
+                bare.insert(tile, heights.clone());
+            }
             for (i, height) in heights.iter_mut().enumerate() {
                 let (latitude, longitude) = grid::at(&grid, i % side, i / side);
-                if let Some(h) = known(latitude, longitude) {
-                    *height = h as f32;
+                if let Some((h, share)) = known(latitude, longitude) {
+                    let there = f64::from(*height);
+                    *height = (there + (h - there) * share.clamp(0.0, 1.0)) as f32;
                 }
             }
         }

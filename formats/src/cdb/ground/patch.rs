@@ -29,8 +29,9 @@ pub struct Patch<'a> {
     pub colors: Known<'a, [u8; 3]>,
     /// Height of what nobody knows.
     pub level: f64,
-    /// Heights around it, above the ellipsoid, which win over what the store holds.
-    pub terrain: Option<Known<'a, f64>>,
+    /// Heights around it, above the ellipsoid, and the share that they have against what the store holds: from 1 to 0 where what is
+    /// known ends.
+    pub terrain: Option<Known<'a, (f64, f64)>>,
     pub marking: &'a str,
 }
 
@@ -95,7 +96,7 @@ pub fn add_patch(store: &dyn Store, patch: Patch) -> Result<AddedGround> {
         let own = if inside(latitude, longitude) { heights(latitude, longitude) } else { None };
         own.map_or(there, |(height, share)| there + (height - there) * share.clamp(0.0, 1.0))
     };
-    let mut made = Terrain { tiles: &tiles, level, known: terrain, shape: &mut shape, marking };
+    let mut made = Terrain { tiles: &tiles, level, known: terrain, fades: true, shape: &mut shape, marking };
     let mut files = elevation(store, &mut made, &mut notes)?;
     let tiles = tiles_within(beyond(bounds, pixels), pixels)?;
     let mut seen =

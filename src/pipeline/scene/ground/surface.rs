@@ -120,15 +120,15 @@ impl Surface {
     }
 
     /// Lets terrain that is known otherwise say what lies where no photo saw the ground: its shape there, moved up or down by what
-    /// the two differ by around, filled in as a membrane. `terrain`: its height at a place whose height here is given. `None` where
-    /// it says nothing of the ground that was seen; nothing changes then.
-    pub fn fill_with(&mut self, terrain: impl Fn(Vec2, f32) -> Option<f32>) -> Option<Against> {
+    /// the two differ by around, filled in as a membrane. `terrain`: its height at a place whose height here is given, and from 1 to 0
+    /// how much it counts. `None` where it says nothing of the ground that was seen; nothing changes then.
+    pub fn fill_with(&mut self, terrain: impl Fn(Vec2, f32) -> Option<(f32, f32)>) -> Option<Against> {
         let near = |i: &usize| self.beyond(self.middle(*i)).0 <= 2.0 * self.cell;
         let cells: Vec<usize> = (0..self.heights.len()).filter(near).collect();
-        let there: Vec<(usize, f32)> =
+        let there: Vec<(usize, (f32, f32))> =
             cells.iter().filter_map(|i| Some((*i, terrain(self.middle(*i), self.heights[*i])?))).collect();
         let (mut off, mut known) = (vec![0.0; self.heights.len()], vec![false; self.heights.len()]);
-        for (i, z) in there.iter().filter(|(i, _)| self.known[*i]) {
+        for (i, (z, _)) in there.iter().filter(|(i, _)| self.known[*i]) {
             (off[*i], known[*i]) = (self.heights[*i] - z, true);
         }
         let mut all: Vec<f32> = (0..off.len()).filter(|i| known[*i]).map(|i| off[i]).collect();
@@ -136,8 +136,8 @@ impl Surface {
         let at = |share: f64| all.get((share * all.len() as f64) as usize).copied();
         let against = Against { median: at(0.5)?, quartiles: [at(0.25)?, at(0.75)?] };
         membrane::fill(&mut off, &known, self.columns);
-        for (i, z) in there.iter().filter(|(i, _)| !self.known[*i]) {
-            self.heights[*i] = z + off[*i];
+        for (i, (z, share)) in there.iter().filter(|(i, _)| !self.known[*i]) {
+            self.heights[*i] += (z + off[*i] - self.heights[*i]) * share;
         }
         Some(against)
     }

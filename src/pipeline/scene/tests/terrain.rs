@@ -2,12 +2,13 @@
 
 use glam::{DVec3, Vec2};
 use orb_formats::cdb::{self, Memory, geocell::Tile, ground as tiles, names};
+use orb_formats::geotiff::Grid;
 
 use super::{BRIEF, PLAIN, SITE};
 use crate::audit::Marking;
 use crate::bench::make::photos::{HEADING, HOME, written_world};
 use crate::bench::make::site;
-use crate::export::{self, Labels, OnEarth};
+use crate::export::{self, Labels, OnEarth, Patch};
 use crate::geo::{Enu, Geodetic};
 use crate::photos::dataset;
 use crate::photos::register::{self, Fix, Registration};
@@ -60,6 +61,45 @@ fn measured(s: &Scene, metres: f32) -> (Surface, Vec<Camera>, Vec<Body>) {
     (Surface::of(&s.gaussians, &bodies::cleared(&ground, &all), &terrain, &cameras).unwrap(), cameras, all)
 }
 
+/// A new store with the terrain of a surface, and what became of that.
+fn written(
+    surface: &Surface,
+    picture: &Nadir,
+    earth: &OnEarth,
+    around: Option<&export::Around>,
+    lods: [i8; 2],
+) -> (Memory, Patch) {
+    let labels = Labels {
+        stem: "scene".into(),
+        marking: Marking::UNCLASSIFIED,
+        utc: "2026-11-21T04:05:06.789Z".into(),
+        heading_source: "georegistration",
+        scale_source: "georegistration",
+    };
+    let mut store = Memory::default();
+    store.write(cdb::new_store(&labels.marking.line(), "a test").0);
+    let mut patch = export::add_terrain(&store, surface, picture, earth, around, lods, &labels).unwrap();
+    store.write(std::mem::take(&mut patch.files));
+    (store, patch)
+}
+
+/// The posts of each tile of a level of terrain, row by row from the north-west, and by what they are apart.
+fn finest(store: &Memory, lod: i8) -> Vec<(Grid, Vec<Geodetic>)> {
+    let of = |tile: Tile| {
+        let (grid, side) = (tiles::elevation_grid(tile), tiles::side(tile.lod) as usize);
+        let heights = tiles::heights(store, tile, names::ELEVATION, tiles::SELECTOR).unwrap().unwrap();
+        let post = |(i, height): (usize, f32)| Geodetic {
+            latitude: grid.north - (i / side) as f64 * grid.step_y,
+            longitude: grid.west + (i % side) as f64 * grid.step_x,
+            height: f64::from(height),
+        };
+        let posts = heights.into_iter().enumerate().map(post).collect();
+        (grid, posts)
+    };
+    let terrain = store.files.keys().filter_map(|path| names::parse(path));
+    terrain.filter(|f| f.dataset == names::ELEVATION && f.tile.lod == lod).map(|f| of(f.tile)).collect()
+}
+
 fn rms(v: &[f64]) -> f64 {
     (v.iter().map(|x| x * x).sum::<f64>() / v.len() as f64).sqrt()
 }
@@ -74,37 +114,15 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
     let pixel = (export::pixel_of(lods[1]) / registration.to_enu.scale) as f32;
     let near = s.gaussians.len() - s.sky;
     let picture = Nadir::of(&as_seen(&s.gaussians.filtered(|i| i < near), &cameras), surface.bounds(), pixel);
-    let labels = Labels {
-        stem: "scene".into(),
-        marking: Marking::UNCLASSIFIED,
-        utc: "2026-11-21T04:05:06.789Z".into(),
-        heading_source: "georegistration",
-        scale_source: "georegistration",
-    };
-    let mut store = Memory::default();
-    store.write(cdb::new_store(&labels.marking.line(), "a test").0);
-    let patch = export::add_terrain(&store, &surface, &picture, &earth, None, lods, &labels).unwrap();
-    store.write(patch.files);
+    let (store, patch) = written(&surface, &picture, &earth, None, lods);
     assert_eq!(cdb::check(&store).unwrap(), []);
     assert!(patch.notes[0].contains("invented") && (patch.level - HOME.height).abs() < 1.0, "{}", patch.level);
 
     // Every post of the finest level: where it lies in the place's own metres, and where in the surface's frame.
     let boxes = site::boxes(0, PLAIN.seed);
     let (mut open, mut below, mut beyond) = (Vec::new(), Vec::new(), 0);
-    let finest: Vec<Tile> = store
-        .files
-        .keys()
-        .filter_map(|path| names::parse(path))
-        .filter(|f| f.dataset == names::ELEVATION && f.tile.lod == lods[0])
-        .map(|f| f.tile)
-        .collect();
-    for tile in &finest {
-        let (grid, side) = (tiles::elevation_grid(*tile), tiles::side(tile.lod) as usize);
-        let heights = tiles::heights(&store, *tile, names::ELEVATION, tiles::SELECTOR).unwrap().unwrap();
-        for (i, height) in heights.iter().enumerate() {
-            let latitude = grid.north - (i / side) as f64 * grid.step_y;
-            let longitude = grid.west + (i % side) as f64 * grid.step_x;
-            let place = Geodetic { latitude, longitude, height: f64::from(*height) };
+    for (_, posts) in finest(&store, lods[0]) {
+        for place in posts {
             let own = own_of(place);
             let share = surface.share(earth.unit(place).truncate().as_vec2());
             let on = boxes
@@ -115,7 +133,7 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
                 (1.0, true) => below.push(own.z),
                 (0.0, _) => {
                     beyond += 1;
-                    assert!((f64::from(*height) - patch.level).abs() < 1e-3);
+                    assert!((place.height - patch.level).abs() < 1e-3);
                 }
                 _ => {}
             }
@@ -185,85 +203,93 @@ fn the_ground_becomes_terrain_at_its_place_without_what_stands_on_it() {
     assert!(here < 26.0, "{here}");
 }
 
-/// Terrain that lies three metres below the scene and has hills of its own, but for one side of the place.
+/// Metres east and north of the place.
+fn from_home(latitude: f64, longitude: f64) -> [f64; 2] {
+    let e = HOME.local(Geodetic { latitude, longitude, height: HOME.height }.to_ecef());
+    [e.east, e.north]
+}
+
+/// Terrain that lies three metres below the scene and has hills of its own.
+fn wavy(latitude: f64, longitude: f64) -> f64 {
+    let [east, north] = from_home(latitude, longitude);
+    HOME.height - 3.0 + 4.0 * (east / 25.0).sin() + 3.0 * (north / 30.0).cos()
+}
+
+/// Terrain that ends in the west: well outside of the place, and in the middle of it, with a hole elsewhere.
 #[test]
-fn the_ground_goes_over_into_terrain_that_is_known_without_a_step() {
+fn the_ground_goes_over_into_terrain_that_is_known_and_out_of_it_without_a_step() {
     let s = &*BRIEF;
     let registration = registered(s);
-    let (mut surface, ..) = measured(s, registration.to_enu.scale as f32);
+    let metres = registration.to_enu.scale;
+    let (given, ..) = measured(s, metres as f32);
     let earth = OnEarth::new(&registration);
-    let wavy = |latitude: f64, longitude: f64| {
-        let e = HOME.local(Geodetic { latitude, longitude, height: HOME.height }.to_ecef());
-        (e.east > -60.0).then(|| HOME.height - 3.0 + 4.0 * (e.east / 25.0).sin() + 3.0 * (e.north / 30.0).cos())
+    let lods = [export::levels(&given, &earth).unwrap()[0], 0];
+    let picture = Nadir::of(&s.gaussians.filtered(|_| false), given.bounds(), 0.05);
+    let band = f64::from(given.band) * metres;
+    let steepest = |all: &[(Grid, Vec<Geodetic>)]| {
+        let of = |(grid, posts): &(Grid, Vec<Geodetic>)| {
+            let side = (posts.len() as f64).sqrt() as usize;
+            let rows = posts.chunks(side).flat_map(|row| row.windows(2));
+            rows.map(|w| (w[1].height - w[0].height).abs()).fold(0.0, f64::max) / (grid.step_x * 74_300.0)
+        };
+        all.iter().map(of).fold(0.0, f64::max)
     };
-    let before = surface.clone();
-    let against = export::fill_from(&mut surface, &earth, &wavy).unwrap();
-    let [median, low, high] =
-        [against.median, against.quartiles[0], against.quartiles[1]].map(|v| f64::from(v) * registration.to_enu.scale);
-    // The place is level: the hills' own heights are what they differ by, besides the three metres.
-    assert!((-4.0..10.0).contains(&median) && low < median && median < high, "{median} {low} {high}");
-    // What was seen stays as it was; of the holes some do not.
-    let grid = |k: usize| Vec2::new((k % 200) as f32, (k / 200) as f32) / 100.0 - 1.0;
-    let moved =
-        (0..200 * 200).map(grid).filter(|p| surface.holds(*p) && surface.height(*p) != before.height(*p)).count();
-    let inside = (0..200 * 200).map(grid).filter(|p| surface.holds(*p)).count();
-    assert!(moved > 0 && moved < inside / 2, "{moved} of {inside}");
+    for (west, hole) in [(-60.0, 0.0), (-5.0, 4.0)] {
+        let is_hole = |[east, north]: [f64; 2]| (east - 16.0).hypot(north + 12.0) < hole;
+        let depth = |latitude: f64, longitude: f64| from_home(latitude, longitude)[0] - west;
+        let height = |latitude: f64, longitude: f64| {
+            let known = depth(latitude, longitude) > 0.0 && !is_hole(from_home(latitude, longitude));
+            known.then(|| wavy(latitude, longitude))
+        };
+        let around = export::Around::new(&given, &earth, &height, &depth);
+        assert_eq!(around.ends, west > -50.0);
+        let mut surface = given.clone();
+        let against = export::fill_from(&mut surface, &earth, &around).unwrap();
+        let [median, low, high] =
+            [against.median, against.quartiles[0], against.quartiles[1]].map(|v| f64::from(v) * metres);
+        // The place is level: the hills' own heights are what they differ by, besides the three metres.
+        assert!((-4.0..10.0).contains(&median) && low < median && median < high, "{median} {low} {high}");
+        // What was seen stays as it was; of the holes some do not.
+        let grid = |k: usize| Vec2::new((k % 200) as f32, (k / 200) as f32) / 100.0 - 1.0;
+        let inside = || (0..200 * 200).map(grid).filter(|p| surface.holds(*p));
+        let moved = inside().filter(|p| surface.height(*p) != given.height(*p)).count();
+        assert!(moved > 0 && moved < inside().count() / 2, "{moved} of {}", inside().count());
 
-    let lods = export::levels(&surface, &earth).unwrap();
-    let picture = Nadir::of(&s.gaussians.filtered(|_| false), surface.bounds(), 0.05);
-    let labels = Labels {
-        stem: "scene".into(),
-        marking: Marking::UNCLASSIFIED,
-        utc: "2026-11-21T04:05:06.789Z".into(),
-        heading_source: "georegistration",
-        scale_source: "georegistration",
-    };
-    let mut store = Memory::default();
-    store.write(cdb::new_store(&labels.marking.line(), "a test").0);
-    let lods = [lods[0], 0];
-    let patch = export::add_terrain(&store, &surface, &picture, &earth, Some(&wavy), lods, &labels).unwrap();
-    assert!(patch.notes.iter().all(|n| !n.contains("invented")), "{:?}", patch.notes);
-    store.write(patch.files);
-    let finest = store.files.keys().filter_map(|path| names::parse(path));
-    let finest: Vec<Tile> =
-        finest.filter(|f| f.dataset == names::ELEVATION && f.tile.lod == lods[0]).map(|f| f.tile).collect();
-    let (mut outside, mut beyond, mut steepest) = (0, 0, 0.0f64);
-    for tile in finest {
-        let (grid, side) = (tiles::elevation_grid(tile), tiles::side(tile.lod) as usize);
-        let heights = tiles::heights(&store, tile, names::ELEVATION, tiles::SELECTOR).unwrap().unwrap();
-        let mut last = 0.0;
-        for (i, height) in heights.iter().enumerate() {
-            let latitude = grid.north - (i / side) as f64 * grid.step_y;
-            let longitude = grid.west + (i % side) as f64 * grid.step_x;
-            let at = |h: f64| Geodetic { latitude, longitude, height: h };
-            let height = f64::from(*height);
-            let place = earth.unit(at(height)).truncate().as_vec2();
-            match wavy(latitude, longitude) {
-                Some(there) if surface.share(place) == 0.0 => {
+        let (store, patch) = written(&surface, &picture, &earth, Some(&around), lods);
+        assert!(patch.notes.iter().all(|n| !n.contains("invented")), "{:?}", patch.notes);
+        let all = finest(&store, lods[0]);
+        let (mut outside, mut beyond, mut between) = (0, 0, 0);
+        for post in all.iter().flat_map(|(_, posts)| posts) {
+            let Geodetic { latitude, longitude, height } = *post;
+            if surface.share(earth.unit(*post).truncate().as_vec2()) > 0.0 {
+                continue;
+            }
+            let there = wavy(latitude, longitude);
+            match around.at(latitude, longitude) {
+                Some((_, 1.0)) => {
                     outside += 1;
                     assert!((height - there).abs() < 1e-3, "{height} {there}");
                 }
-                // Where it ends: between its own heights and what is invented, as coarse posts that reach over its border say it.
-                None if surface.share(place) == 0.0 => {
-                    beyond += 1;
-                    assert!((-10.1..4.1).contains(&(height - HOME.height)), "{height}");
+                // Over as wide a band as the ground goes over into what is around.
+                Some((found, share)) => {
+                    between += 1;
+                    let mixed = patch.level + (there - patch.level) * share;
+                    assert!(found == there && depth(latitude, longitude) < band, "{found} {there}");
+                    assert!((height - mixed).abs() < 1e-3, "{height} {mixed}");
                 }
-                _ => {}
+                None => {
+                    beyond += 1;
+                    assert!((height - patch.level).abs() < 1e-3, "{height} {}", patch.level);
+                }
             }
-            // From the outline over the band to what is around, where terrain is known.
-            let share = surface.share(place);
-            if i % side > 0 && share.min(last) < 1.0 && wavy(latitude, longitude - 2.0 * grid.step_x).is_some() {
-                let step = grid.step_x * 74_300.0;
-                steepest = steepest.max((height - f64::from(heights[i - 1])).abs() / step);
-            }
-            last = share;
         }
+        let steepest = steepest(&all);
+        eprintln!("{west}: {moved} places filled; {outside} {between} {beyond} posts outside; steepest {steepest:.2}");
+        assert!(outside > 10_000 && beyond > 1000 && between > 1000, "{outside} {between} {beyond}");
+        // The hills rise by 0.3 at most; ten metres over a band of eight are 1.9 where it is steepest, and in a corner two bands meet.
+        // A step of ten metres from one post to the next would be 17.
+        assert!(steepest < 3.5, "{steepest}");
     }
-    eprintln!("{moved} of {inside} places filled; {outside} posts outside; steepest {steepest:.2}");
-    assert!(outside > 10_000 && beyond > 1000, "{outside} {beyond}");
-    // The hills rise by 0.3 at most; ten metres over a band of eight are 1.9 where it is steepest. A step of ten metres from one post
-    // to the next would be 17.
-    assert!(steepest < 3.0, "{steepest}");
 }
 
 /// The Earth's curve and the two uprights: a point of the surface is found again from its latitude and longitude.
