@@ -115,7 +115,8 @@ impl<R: Read + Seek> Dem<R> {
         self.keys.pixel(latitude, longitude).is_some_and(inside)
     }
 
-    /// How many posts a point lies inside the file's nearest edges, along its rows and its columns; less than nothing outside. `None`
+    /// How many posts a point lies inside the file's nearest edges, along its rows and its columns; less than nothing outside,
+    /// where in degrees what lies west of the file counts as far in the east. `None`
     /// where its coordinates say nothing.
     pub fn margin(&self, latitude: f64, longitude: f64) -> Option<[f64; 2]> {
         let (x, y) = self.keys.pixel(latitude, longitude)?;
