@@ -34,6 +34,7 @@ pub(super) struct Evidence {
     /// Surface points from all sides.
     pub shape: Vec<Vec3>,
     pub field: Field,
+    pub extents: Extents,
 }
 
 impl Evidence {
@@ -67,8 +68,35 @@ impl Evidence {
             color,
             points,
             field: Field::new(&shape),
+            extents: Extents::new(&shape),
             shape,
         })
+    }
+}
+
+/// How far points reach along a direction, but for the fiftieth of them at either end.
+pub(super) fn extent(points: &[Vec3], along: Vec3) -> f32 {
+    let mut at: Vec<f32> = points.iter().map(|p| p.dot(along)).collect();
+    at.sort_by(f32::total_cmp);
+    let few = at.len() / 50;
+    at[at.len() - 1 - few] - at[few]
+}
+
+/// How far a shape reaches along level directions, every three degrees of half a turn.
+pub(super) struct Extents([f32; 60]);
+
+impl Extents {
+    fn new(points: &[Vec3]) -> Self {
+        Extents(std::array::from_fn(|k| {
+            let (sin, cos) = (3.0 * k as f32).to_radians().sin_cos();
+            extent(points, Vec3::new(cos, sin, 0.0)).max(1e-3)
+        }))
+    }
+
+    /// Along the direction nearest to `v`.
+    pub fn along(&self, v: Vec3) -> f32 {
+        let heading = v.y.atan2(v.x).to_degrees().rem_euclid(180.0);
+        self.0[(heading / 3.0).round() as usize % 60]
     }
 }
 

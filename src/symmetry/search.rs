@@ -3,7 +3,7 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::evidence::{Evidence, Field, projected};
+use super::evidence::{Evidence, Field, extent, projected};
 use super::{Plane, Seen, Use, flipped};
 use crate::splat::{self, Gaussians};
 
@@ -24,6 +24,10 @@ pub struct Fit {
     pub hidden: f32,
     /// Intersection over union of the mirrored mask and the shape's silhouette from the mirrored camera.
     pub silhouette: f32,
+    /// How far the shape reaches along the plane's normal, over how far along the plane, both level.
+    pub elongation: f32,
+    /// Share of the seen surface whose mirror image lies further than [`STRAY`] from the shape.
+    pub stray: f32,
 }
 
 impl Fit {
@@ -44,15 +48,26 @@ impl Fit {
         self.misfit() - 0.4 * self.hidden
     }
 
+    /// The same where the photo has nothing to say: most bodies with a long side are alike on both sides of their length.
+    fn cost_by_length(&self) -> f32 {
+        self.cost() + 0.2 * self.elongation.max(1e-3).ln()
+    }
+
     /// Good enough to be used unasked, and worth it.
     pub fn convinces(&self) -> bool {
-        self.gives() && self.misfit() < 0.05
+        self.gives() && self.misfit() < 0.05 && !self.swaps_unlike_ends()
+    }
+
+    /// Across a length the plane says that both ends are alike. Wool and fur are alike in colour everywhere; but a head meets
+    /// nothing at the other end.
+    fn swaps_unlike_ends(&self) -> bool {
+        self.elongation > 1.3 && self.stray > 0.01
     }
 
     /// Whether nothing speaks against it. Of what is photographed from the side the photo shows no two points that are each
     /// other's mirror image, so that nothing can speak for it: most bodies with a long side are alike on both.
     pub fn plausible(&self) -> bool {
-        self.gives() && self.askew() < 0.45
+        self.gives() && self.askew() < 0.45 && self.elongation < 1.2
     }
 
     /// The same of the plane at right angles to another one. That a back is like its front is said more rarely.
@@ -70,6 +85,8 @@ impl Fit {
 const SAMPLED: f32 = 0.01;
 /// A surface point within this of the seen depth is the seen one.
 const SAME: f32 = 0.08;
+/// Beyond this a mirrored point meets nothing; bounding-sphere radii.
+const STRAY: f32 = 0.1;
 
 /// Why a plane is used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,7 +143,7 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
     let Some(evidence) = Evidence::new(g, seen) else { return Vec::new() };
     let variation = variation(&evidence);
     let with_silhouette = |fit: Fit| Fit { silhouette: silhouette(g, seen, &fit.plane), ..fit };
-    let Some(first) = best(&evidence, variation).map(with_silhouette) else { return Vec::new() };
+    let Some(first) = best(&evidence, variation, with_silhouette) else { return Vec::new() };
     let basis = match wanted {
         _ if first.convinces() => Some(Basis::Evident),
         Use::On | Use::Two => Some(Basis::Asked),
@@ -151,31 +168,42 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
     all
 }
 
-fn best(evidence: &Evidence, variation: f32) -> Option<Fit> {
+/// The best plane by all that the photo and the shape say; where that does not convince, the best with the subject's length.
+fn best(evidence: &Evidence, variation: f32, with_silhouette: impl Fn(Fit) -> Fit) -> Option<Fit> {
     let score = |heading: f32, offset: f32| judge(evidence, variation, plane(evidence, heading, offset));
-    let coarse: Vec<(f32, f32, f32)> = (0..60 * 31)
+    let coarse: Vec<(Fit, f32, f32)> = (0..60 * 31)
         .into_par_iter()
         .map(|k| {
             let (heading, offset) = ((k % 60) as f32 * 3.0, (k / 60) as f32 * 0.03 - 0.45);
-            (score(heading, offset).cost(), heading, offset)
+            (score(heading, offset), heading, offset)
         })
         .collect();
-    let mut order: Vec<usize> = (0..coarse.len()).collect();
-    order.sort_by(|a, b| coarse[*a].0.total_cmp(&coarse[*b].0).then(a.cmp(b)));
+    let seen = best_by(&coarse, &score, Fit::cost).map(&with_silhouette)?;
+    if seen.convinces() {
+        return Some(seen);
+    }
+    best_by(&coarse, &score, Fit::cost_by_length).map(with_silhouette)
+}
+
+/// A closer look around the best few of a grid (fit, heading, offset).
+fn best_by(coarse: &[(Fit, f32, f32)], score: &impl Fn(f32, f32) -> Fit, cost: fn(&Fit) -> f32) -> Option<Fit> {
+    let costs: Vec<(f32, f32, f32)> = coarse.iter().map(|(fit, h, o)| (cost(fit), *h, *o)).collect();
+    let mut order: Vec<usize> = (0..costs.len()).collect();
+    order.sort_by(|a, b| costs[*a].0.total_cmp(&costs[*b].0).then(a.cmp(b)));
     let apart = |a: &(f32, f32, f32), b: &(f32, f32, f32)| {
         let turn = (a.1 - b.1).abs();
         turn.min(180.0 - turn) > 15.0 || (a.2 - b.2).abs() > 0.15
     };
     let mut best: Vec<(f32, f32, f32)> = Vec::new();
     for k in order {
-        if best.iter().all(|b| apart(b, &coarse[k])) {
-            best.push(coarse[k]);
+        if best.iter().all(|b| apart(b, &costs[k])) {
+            best.push(costs[k]);
         }
         if best.len() == 4 {
             break;
         }
     }
-    let refined: Vec<_> = best.into_iter().map(|start| closer(start, &|h, o| score(h, o).cost())).collect();
+    let refined: Vec<_> = best.into_iter().map(|start| closer(start, &|h, o| cost(&score(h, o)))).collect();
     let (_, heading, offset) = refined.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
     let start = (score(heading, offset).askew(), heading, offset);
     let (_, heading, offset) = closer(start, &|h, o| score(h, o).askew());
@@ -184,12 +212,7 @@ fn best(evidence: &Evidence, variation: f32) -> Option<Fit> {
 
 /// Whether the subject stands upright on a footprint about as long as wide: towers, mills and silos have no front.
 fn is_tower(evidence: &Evidence, first: &Plane) -> bool {
-    let extent = |along: Vec3| {
-        let mut at: Vec<f32> = evidence.shape.iter().map(|p| p.dot(along)).collect();
-        at.sort_by(f32::total_cmp);
-        let stray = at.len() / 50;
-        at[at.len() - 1 - stray] - at[stray]
-    };
+    let extent = |along: Vec3| extent(&evidence.shape, along);
     let (wide, deep, high) = (extent(first.normal), extent(first.normal.cross(Vec3::Z)), extent(Vec3::Z));
     high > 1.2 * wide.max(deep) && wide.max(deep) < 1.3 * wide.min(deep)
 }
@@ -252,9 +275,11 @@ fn judge(evidence: &Evidence, variation: f32, plane: Plane) -> Fit {
         evidence.shape.iter().step_by(2).map(|p| evidence.field.at(plane.reflect(*p)).min(Field::FAR)).sum();
     let shape = shape / evidence.shape.len().div_ceil(2) as f32;
     let size = evidence.camera.width as usize;
-    let (mut contradicted, mut pairs, mut hidden, mut color) = (0.0, 0.0, 0.0, 0.0);
+    let (mut contradicted, mut pairs, mut hidden, mut color, mut stray) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for &(p, c) in &evidence.points {
-        let at = projected(&evidence.camera, plane.reflect(p));
+        let image = plane.reflect(p);
+        stray += f32::from(u8::from(evidence.field.at(image) > STRAY));
+        let at = projected(&evidence.camera, image);
         if !(at.x >= 0.0 && at.y >= 0.0 && at.x < size as f32 && at.y < size as f32) {
             contradicted += 1.0;
             continue;
@@ -286,7 +311,16 @@ fn judge(evidence: &Evidence, variation: f32, plane: Plane) -> Fit {
         pairs: pairs / all,
         hidden: hidden / all,
         silhouette: 0.0,
+        elongation: evidence.extents.along(plane.normal) / evidence.extents.along(plane.normal.cross(Vec3::Z)),
+        stray: stray / all,
     }
+}
+
+/// How well the subject meets its mirror image at one plane; `None` where too little is solid to judge.
+#[cfg(test)]
+pub(super) fn fit(g: &Gaussians, seen: &Seen, plane: Plane) -> Option<Fit> {
+    let evidence = Evidence::new(g, seen)?;
+    Some(Fit { silhouette: silhouette(g, seen, &plane), ..judge(&evidence, variation(&evidence), plane) })
 }
 
 fn silhouette(g: &Gaussians, seen: &Seen, plane: &Plane) -> f32 {

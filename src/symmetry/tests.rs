@@ -244,3 +244,43 @@ fn what_is_alike_front_and_back_is_known_from_all_sides() {
         assert!(off.iter().sum::<f32>() / (off.len() as f32) < 0.06);
     }
 }
+
+/// A body of one colour with a head at one end, as `van` lies.
+fn animal() -> Gaussians {
+    let mut g = boxed(Vec3::new(-0.5, -0.22, -0.3), Vec3::new(0.75, 0.22, 0.15), wool);
+    g.extend(&boxed(Vec3::new(-0.85, -0.14, 0.1), Vec3::new(-0.5, 0.14, 0.5), wool));
+    g
+}
+
+fn wool(_: Vec3) -> [f32; 3] {
+    [0.85, 0.83, 0.78]
+}
+
+#[test]
+fn a_plane_across_the_length_is_refused_where_a_head_would_meet_nothing() {
+    let fit = |g: Gaussians, heading: f32| {
+        let case = Case::new(g);
+        let normal = Mat3::from_rotation_z(heading) * case.truth.normal;
+        let middle = Vec3::new(0.05, -0.04, 0.0);
+        search::fit(&case.g, &case.seen(), Plane { normal, offset: normal.dot(middle) }).unwrap()
+    };
+    let across = fit(animal(), std::f32::consts::FRAC_PI_2);
+    assert!(across.elongation > 1.5 && across.stray > 0.02 && !across.convinces() && !across.plausible(), "{across:?}");
+    let along = fit(animal(), 0.0);
+    assert!(along.elongation < 0.6 && along.stray < 0.01, "{along:?}");
+    // Both ends of a plain box are alike.
+    let boxes = fit(boxed(Vec3::new(-0.8, -0.35, -0.4), Vec3::new(0.8, 0.35, 0.2), wool), std::f32::consts::FRAC_PI_2);
+    assert!(boxes.elongation > 1.5 && boxes.stray < 0.01, "{boxes:?}");
+}
+
+#[test]
+fn what_is_photographed_from_the_side_is_mirrored_along_its_length() {
+    let case = broadside(animal());
+    let found = find(&case.g, &case.seen(), Use::Auto);
+    let plane = used(&found)[0];
+    assert!(plane.normal.dot(case.truth.normal).abs() > 0.97, "{found:?}");
+    assert!(
+        (plane.offset - case.truth.offset * plane.normal.dot(case.truth.normal).signum()).abs() < 0.06,
+        "{found:?}"
+    );
+}
