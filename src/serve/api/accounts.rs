@@ -222,7 +222,8 @@ pub async fn unbind(
     Path((name, sha256)): Path<(String, String)>,
 ) -> Answer<StatusCode> {
     by(server, caller, move |server, by, _| {
-        let certificate: Fingerprint = sha256.parse()?;
+        // What is no fingerprint is bound to nobody.
+        let certificate: Fingerprint = sha256.parse().map_err(|_| Refusal::not_found())?;
         if server.database.bound_to(&certificate)?.is_none_or(|account| account.name != name) {
             return Err(Refusal::not_found());
         }
