@@ -28,7 +28,7 @@ use crate::{Error, Kind, Result, symmetry, views};
 pub use around::Around;
 pub use mesh_tree::{FOLDER as MESH_TREE, MeshTree};
 pub use model::{glb, tiles3d, usdz};
-pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, unit_ply};
+pub use scene::{gaussians_ply, posed_ply, scene_ply, splat_glb, splat_tiles3d, spz, subject_ply, unit_ply};
 pub use sheet::scene_png;
 pub use splat_tree::{TILE as TILE_OF_SPLATS, splat_tree};
 pub use standing::standing;

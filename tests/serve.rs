@@ -28,7 +28,11 @@ fn a_job_from_a_browser() {
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("data");
     let token = account(&data, "jane", "operator");
-    let mut served = Served::start(&data, "127.0.0.1:0");
+    // Where it was built, the viewer draws in the browser too.
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("viewer/dist");
+    let options =
+        if script.join("webgl.js").is_file() { vec!["--webgl", script.to_str().unwrap()] } else { Vec::new() };
+    let mut served = Served::start_with(&data, "127.0.0.1:0", &options);
     let Some(mut browser) = Browser::start(folder.path()) else { return };
     browser.size(1280, 900, 1.0, false);
     browser.open(&format!("http://{}/", served.host));
@@ -132,6 +136,21 @@ fn a_job_from_a_browser() {
         .filter(|c| !expected.iter().any(|e| c.contains(e)) && !c.contains("ERR_"))
         .collect();
     assert!(complaints.is_empty(), "{complaints:#?}");
+    drop(browser);
+    if options.is_empty() {
+        return;
+    }
+    // By a session's cookie the browser gets the scene and draws it.
+    let mut browser = Browser::with_webgl(&folder.path().join("webgl")).unwrap();
+    browser.size(1280, 900, 1.0, false);
+    browser.open(&format!("http://{}/", served.host));
+    browser.until("!document.getElementById('signin').hidden");
+    sign_in(&mut browser);
+    browser.open(&format!("http://{}/view/{id}/", served.host));
+    browser.until("document.getElementById('stage')?.dataset.settled === 'server'");
+    browser.value("(document.getElementById('webgl').click(), '')");
+    browser.until("document.getElementById('stage').dataset.settled === 'browser'");
+    browser.picture("serve-webgl");
 }
 
 /// Six photos with the poses that COLMAP gave them and the places that their receivers wrote: one model, placed by all of them.

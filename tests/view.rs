@@ -3,78 +3,16 @@
 #![cfg(feature = "view")]
 
 mod browser;
+mod viewed;
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 use browser::Browser;
-
-/// A running viewer, ended when dropped.
-struct Viewer {
-    child: Child,
-    banner: String,
-    /// `http://127.0.0.1:PORT/TOKEN/`
-    address: String,
-}
-
-impl Viewer {
-    fn start(scene: &Path) -> Viewer {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_orb"))
-            .arg("view")
-            .arg(scene)
-            .args(["--no-open", "--device", "cpu", "--quiet"])
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-        let mut next = || lines.next().expect("two lines").unwrap();
-        let (banner, address) = (next(), next());
-        Viewer { child, banner, address }
-    }
-
-    fn host(&self) -> &str {
-        self.address.trim_start_matches("http://").split('/').next().unwrap()
-    }
-
-    fn path(&self, rest: &str) -> String {
-        format!("/{}/{rest}", self.address.split('/').nth(3).unwrap())
-    }
-
-    /// Sends these bytes and reads until the server closes.
-    fn send(&self, bytes: &str) -> String {
-        let mut stream = TcpStream::connect(self.host()).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-        // The server may close before all of it was sent.
-        let _ = stream.write_all(bytes.as_bytes());
-        let mut out = Vec::new();
-        let _ = stream.read_to_end(&mut out);
-        String::from_utf8_lossy(&out).into_owned()
-    }
-
-    fn get(&self, path: &str, host: &str) -> String {
-        self.send(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n"))
-    }
-
-    /// Seconds of processor time so far, and MiB of memory now.
-    #[cfg(target_os = "linux")]
-    fn used(&self) -> (f64, f64) {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).unwrap();
-        let fields: Vec<&str> = stat.rsplit_once(')').unwrap().1.split_whitespace().collect();
-        let ticks = |i: usize| fields[i].parse::<f64>().unwrap();
-        // utime and stime in hundredths of a second, rss in pages of 4 KiB.
-        ((ticks(11) + ticks(12)) / 100.0, ticks(21) / 256.0)
-    }
-}
-
-impl Drop for Viewer {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
+use viewed::{Viewer, status};
 
 /// Two red balls, 2 m apart along x, 1 m above the ground, in a scene of Orb's with a place and a marking.
 fn balls(folder: &Path, marking: &str) -> PathBuf {
@@ -97,10 +35,6 @@ fn balls(folder: &Path, marking: &str) -> PathBuf {
     let path = folder.join("scene.ply");
     std::fs::write(&path, orb_formats::ply::write(&splats, &comments).unwrap()).unwrap();
     path
-}
-
-fn status(answer: &str) -> &str {
-    answer.split(' ').nth(1).unwrap_or("none")
 }
 
 #[test]

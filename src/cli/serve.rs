@@ -26,6 +26,7 @@ use crate::serve::session::Sessions;
 use crate::serve::tls::{Door, Files};
 use crate::serve::viewers::Viewers;
 use crate::serve::{Clock, Limits, Server, api};
+use crate::view::webgl::Script;
 use crate::web::listen;
 use crate::{Error, Result};
 use database::DataArgs;
@@ -70,6 +71,11 @@ pub struct ServeArgs {
     /// What runs and viewers compute on.
     #[arg(long, value_enum, default_value_t)]
     device: Device,
+
+    /// Let viewers draw scenes in the browser too, by the script in this folder: viewer/dist, where `npm ci && npm run build`
+    /// in viewer/ builds it.
+    #[arg(long, value_name = "FOLDER")]
+    webgl: Option<PathBuf>,
 
     /// Jobs that may wait or run.
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
@@ -317,6 +323,7 @@ fn line(a: &crate::serve::account::Told) -> String {
 fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     let ceiling = Marking::parse(args.max_marking.as_deref().unwrap_or_default())?;
     let tls = args.tls.files().map(|files| files.load(&args.names, time::now()?.unix_ms)).transpose()?;
+    let script = args.webgl.as_deref().map(Script::load).transpose()?.map(Arc::new);
     if !args.bind.ip().is_loopback() && tls.is_none() && !args.tls.insecure_http {
         return Err(Error::policy("--bind")
             .expected("an address of the loopback, where nobody listens on the way")
@@ -336,7 +343,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         live: Live::default(),
         recorder: Recorder::new(data, "orb serve", super::argv::caller()),
         trail: Default::default(),
-        viewers: Viewers::new(args.device),
+        viewers: Viewers::new(args.device, script.clone()),
         limits: Limits {
             queue: args.max_queue,
             queue_each: args.max_queue,
@@ -370,6 +377,8 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
         about.push(("client_certificates", if tls.asks { "required" } else { "not asked for" }));
         about.push(("revocation_lists", if args.tls.client_crl.is_empty() { "none" } else { "read" }));
     }
+    let script_sha256 = script.map(|s| s.sha256());
+    about.extend(script_sha256.as_deref().map(|sha256| ("webgl_script_sha256", sha256)));
     server.recorder.act("serve.start", &about)?;
     super::write_out(&format!("{banner}\nhttp{}://{bound}/\n", if server.tls { "s" } else { "" }));
     if server.database.accounts()?.is_empty() {

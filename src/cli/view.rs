@@ -10,6 +10,7 @@ use crate::audit::DataFolder;
 use crate::view::open;
 use crate::view::server::{self, Site};
 use crate::view::subject::Subject;
+use crate::view::webgl::{Script, Webgl};
 use crate::view::worker::Worker;
 use crate::web::listen;
 use crate::{Error, Result};
@@ -25,6 +26,10 @@ pub struct View {
     /// Where the page is served; port 0 takes a free one. Whoever reaches the address and knows it sees the scene.
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:0")]
     pub bind: SocketAddr,
+    /// Let the page draw the scene in the browser too, by the script in this folder: viewer/dist, where `npm ci && npm run
+    /// build` in viewer/ builds it.
+    #[arg(long, value_name = "FOLDER")]
+    pub webgl: Option<PathBuf>,
     /// Print the address only.
     #[arg(long)]
     pub no_open: bool,
@@ -37,6 +42,7 @@ pub struct View {
 
 /// Serves until `stop` is set by the interrupt handler.
 pub fn run(args: &View, stop: &AtomicBool) -> Result<u8> {
+    let script = args.webgl.as_deref().map(Script::load).transpose()?.map(Arc::new);
     let subject = Arc::new(Subject::load(&args.scene)?);
     let (device, quiet) = (args.device, args.quiet);
     let say = move |line: &str| {
@@ -65,7 +71,8 @@ pub fn run(args: &View, stop: &AtomicBool) -> Result<u8> {
         opened.map_err(|e| say(&format!("no browser was opened: {e}"))).ok()
     };
     say("Ctrl-C ends it");
-    let router = server::router(Arc::new(Site { subject, worker }), token);
+    let webgl = Webgl::new(script.as_ref(), &subject);
+    let router = server::router(Arc::new(Site { subject, worker, webgl }), token);
     runtime.block_on(listen::serve(listener, listen::Plain, router, stop, listen::CONNECTIONS));
     drop(opened);
     // Ends the connections, and with the last of them the thread that draws.

@@ -34,6 +34,12 @@ pub fn scene_ply(g: &Gaussians, placement: &Placement, labels: &Labels) -> Resul
     ply_file("scene.ply", g, &comments(placement, labels))
 }
 
+/// Gaussians in whatever frame they are in, for a program that draws them there; the marking in the header, where there is one.
+pub fn subject_ply(g: &Gaussians, marking: Option<&Marking>) -> Result<Vec<u8>> {
+    let comments: Vec<String> = marking.iter().map(|m| m.line()).collect();
+    Ok(ply_file("scene.ply", g, &comments)?.bytes)
+}
+
 /// Gaussians of the unit frame as `scene.ply`, neither placed nor scaled, the marking first in the header.
 pub fn unit_ply(g: &Gaussians, marking: &Marking) -> Result<File> {
     let comments = [

@@ -54,6 +54,7 @@ on_both!(
 );
 
 mod several;
+mod webgl;
 
 fn the_document_and_the_routes_are_one(on: On) {
     let document = serde_json::to_value(api::document()).unwrap();
@@ -101,6 +102,7 @@ fn roles(on: On) {
         ("GET", "/api/v1/geocells".to_owned(), "viewer operator marking-officer"),
         ("GET", format!("/view/{id}/"), "viewer operator marking-officer"),
         ("GET", format!("/view/{id}/frame"), "viewer operator marking-officer"),
+        ("GET", format!("/view/{id}/scene.ply"), "viewer operator marking-officer"),
         ("POST", format!("/api/v1/jobs/{id}/cancel"), "operator"),
         ("DELETE", format!("/api/v1/jobs/{id}"), "operator"),
         ("GET", "/api/v1/accounts".to_owned(), "admin"),

@@ -8,6 +8,7 @@ use crate::Result;
 use crate::cli::device::Device;
 use crate::view::server::Site;
 use crate::view::subject::Subject;
+use crate::view::webgl::{Script, Webgl};
 use crate::view::worker::Worker;
 
 /// Scenes at once: each has a thread and its Gaussians in memory.
@@ -15,6 +16,8 @@ const MOST: usize = 2;
 
 pub struct Viewers {
     device: Device,
+    /// What browsers draw with themselves, where they may.
+    script: Option<Arc<Script>>,
     /// The last used at the end.
     open: Mutex<Vec<(String, Arc<Site>)>>,
     /// Scenes are read one at a time.
@@ -22,8 +25,8 @@ pub struct Viewers {
 }
 
 impl Viewers {
-    pub fn new(device: Device) -> Viewers {
-        Viewers { device, open: Mutex::default(), reading: Mutex::default() }
+    pub fn new(device: Device, script: Option<Arc<Script>>) -> Viewers {
+        Viewers { device, script, open: Mutex::default(), reading: Mutex::default() }
     }
 
     fn kept(&self, id: &str) -> Option<Arc<Site>> {
@@ -53,7 +56,8 @@ impl Viewers {
         let device = self.device;
         // The thread ends with the last who holds its worker.
         let (worker, _) = Worker::start(Arc::clone(&subject), move || device.open_quietly(&mut |_| {}))?;
-        let site = Arc::new(Site { subject, worker });
+        let webgl = Webgl::new(self.script.as_ref(), &subject);
+        let site = Arc::new(Site { subject, worker, webgl });
         let mut open = lock(&self.open);
         if open.len() >= MOST {
             open.remove(0);

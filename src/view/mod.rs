@@ -11,4 +11,5 @@ pub mod open;
 pub mod query;
 pub mod server;
 pub mod subject;
+pub mod webgl;
 pub mod worker;

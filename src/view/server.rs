@@ -17,8 +17,9 @@ use serde_json::json;
 
 use super::query::{FIELD, Query, Show};
 use super::subject::Subject;
+use super::webgl::Webgl;
 use super::worker::{Refusal, Worker};
-use super::{draw, ground};
+use super::{draw, ground, webgl};
 use crate::export::{EXPECTED_ERROR, PROVENANCE};
 use crate::preview::LARGEST_ERROR;
 use crate::web::guard::{MOST_ADDRESS, SCRIPT, STYLE, escaped, harden, is_own_name, part, refuse};
@@ -28,6 +29,8 @@ use crate::{Error, Result};
 pub struct Site {
     pub subject: Arc<Subject>,
     pub worker: Worker,
+    /// What the page draws with itself, where it may.
+    pub webgl: Option<Webgl>,
 }
 
 /// 128 random bits, as hexadecimal digits.
@@ -53,6 +56,9 @@ pub fn scene_routes(prefix: &str) -> Router<Arc<Site>> {
         .route(&at("frame"), get(frame))
         .route(&at("point"), get(point))
         .route(&at("photo"), get(photo))
+        .route(&at("webgl.js"), get(async |State(site): State<Arc<Site>>| webgl::script(site.webgl.as_ref())))
+        .route(&at("notice.txt"), get(async |State(site): State<Arc<Site>>| webgl::notice(site.webgl.as_ref())))
+        .route(&at("scene.ply"), get(scene_itself))
 }
 
 /// One scene below a token, with the guard before it.
@@ -93,12 +99,19 @@ fn check(token: &str, request: &Request<Body>) -> Option<Response> {
 
 async fn page(State(site): State<Arc<Site>>) -> Response {
     let subject = &site.subject;
-    let html = include_str!("page/index.html")
+    let html = webgl::onto_page(site.webgl.as_ref(), include_str!("page/index.html"))
         .replace("{{banner}}", &escaped(&subject.banner()))
         .replace("{{colour}}", subject.colour())
         // Last: a name may hold anything.
         .replace("{{name}}", &escaped(&subject.name));
-    ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], html).into_response()
+    let mut answer = ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], html).into_response();
+    webgl::loosen(site.webgl.as_ref(), &mut answer);
+    answer
+}
+
+async fn scene_itself(State(site): State<Arc<Site>>) -> Response {
+    let made = tokio::task::spawn_blocking(move || webgl::scene(site.webgl.as_ref(), &site.subject)).await;
+    made.unwrap_or_else(|_| refuse(StatusCode::INTERNAL_SERVER_ERROR, "the scene could not be written"))
 }
 
 async fn scene(State(site): State<Arc<Site>>) -> Response {
@@ -222,7 +235,7 @@ mod tests {
     fn ask(method: &str, path: &str, host: &str, body: &'static str) -> (StatusCode, HeaderMap, Vec<u8>) {
         let subject = Arc::new(subject());
         let (worker, thread) = Worker::start(Arc::clone(&subject), || Ok(None)).unwrap();
-        let router = router(Arc::new(Site { subject, worker }), "0123".repeat(8));
+        let router = router(Arc::new(Site { subject, worker, webgl: None }), "0123".repeat(8));
         let request = Request::builder().method(method).uri(path).header("host", host).body(Body::from(body)).unwrap();
         let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
         let answer = runtime.block_on(async {

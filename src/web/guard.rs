@@ -23,10 +23,11 @@ pub fn refuse(status: StatusCode, words: &str) -> Response {
     (status, [(header::CONTENT_TYPE, "text/plain; charset=utf-8")], format!("{words}\n")).into_response()
 }
 
-/// Says on an answer what may be done with it: nothing from elsewhere, in no frame, kept by nobody.
+/// Says on an answer what may be done with it: nothing from elsewhere, in no frame, kept by nobody. A page that needs more
+/// than [`CONTENT_POLICY`] has said so itself.
 pub fn harden(headers: &mut HeaderMap) {
+    headers.entry(header::CONTENT_SECURITY_POLICY).or_insert(HeaderValue::from_static(CONTENT_POLICY));
     for (name, value) in [
-        (header::CONTENT_SECURITY_POLICY, CONTENT_POLICY),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
         (header::X_FRAME_OPTIONS, "DENY"),
         (header::REFERRER_POLICY, "no-referrer"),

@@ -30,8 +30,20 @@ fn program() -> Option<PathBuf> {
 }
 
 impl Browser {
-    /// `None`, with the reason printed, where there is no Chromium. Its profile goes into `folder`.
+    /// `None`, with the reason printed, where there is no Chromium. Its profile goes into `folder`. It has no WebGL.
     pub fn start(folder: &Path) -> Option<Browser> {
+        Browser::start_with(folder, &["--disable-gpu", "--disable-webgl", "--disable-3d-apis"])
+    }
+
+    /// With WebGL, drawn by the processor.
+    pub fn with_webgl(folder: &Path) -> Option<Browser> {
+        Browser::start_with(
+            folder,
+            &["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+        )
+    }
+
+    pub fn start_with(folder: &Path, options: &[&str]) -> Option<Browser> {
         let Some(program) = program() else {
             assert!(std::env::var_os("ORB_REQUIRE_CLIENTS").is_none_or(|v| v != "1"), "chromium is not on the PATH");
             eprintln!("skipped: chromium is not on the PATH");
@@ -41,14 +53,9 @@ impl Browser {
         let mut child = Command::new("sh")
             .args(["-c", "exec \"$0\" \"$@\" 3<&0 4>&1 </dev/null >/dev/null 2>&1"])
             .arg(program)
-            .args([
-                "--headless=new",
-                "--remote-debugging-pipe",
-                "--no-sandbox",
-                "--disable-gpu",
-                "--disable-dev-shm-usage",
-            ])
-            .args(["--no-first-run", "--disable-background-networking", "--disable-webgl", "--disable-3d-apis"])
+            .args(["--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--disable-dev-shm-usage"])
+            .args(["--no-first-run", "--disable-background-networking"])
+            .args(options)
             .arg(format!("--user-data-dir={}", folder.join("browser").display()))
             .arg("about:blank")
             .stdin(Stdio::piped())
@@ -182,6 +189,78 @@ impl Browser {
         if let Some(folder) = std::env::var_os("ORB_VIEW_PICTURES") {
             std::fs::write(Path::new(&folder).join(format!("{name}.png")), bytes).unwrap();
         }
+    }
+
+    /// Along these points, with the left button held.
+    pub fn drag(&mut self, points: &[[f64; 2]]) {
+        let last = points.len() - 1;
+        for (i, [x, y]) in points.iter().enumerate() {
+            for kind in ["mouseMoved", "mousePressed", "mouseReleased"] {
+                if kind == "mouseMoved" || (kind == "mousePressed" && i == 0) || (kind == "mouseReleased" && i == last)
+                {
+                    let buttons = i32::from(i > 0 || kind != "mouseMoved");
+                    let button = if buttons == 1 { "left" } else { "none" };
+                    let event =
+                        json!({"type": kind, "x": x, "y": y, "button": button, "buttons": buttons, "clickCount": 1});
+                    self.call("Input.dispatchMouseEvent", event);
+                }
+            }
+        }
+    }
+
+    pub fn wheel(&mut self, x: f64, y: f64, down: f64) {
+        let event = json!({"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": down});
+        self.call("Input.dispatchMouseEvent", event);
+    }
+
+    /// Fingers, step by step; at the end they are lifted.
+    pub fn touch(&mut self, steps: &[&[[f64; 2]]]) {
+        for (i, fingers) in steps.iter().enumerate() {
+            let points: Vec<Value> =
+                fingers.iter().enumerate().map(|(id, [x, y])| json!({"x": x, "y": y, "id": id})).collect();
+            let kind = if i == 0 { "touchStart" } else { "touchMove" };
+            self.call("Input.dispatchTouchEvent", json!({"type": kind, "touchPoints": points}));
+        }
+        self.call("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));
+    }
+
+    /// What stands on the screen where an element is.
+    pub fn pixels(&mut self, selector: &str) -> image::RgbImage {
+        let place = self.value(&format!(
+            "(r => [r.x, r.y, r.width, r.height].join(' '))(document.querySelector('{selector}').getBoundingClientRect())"
+        ));
+        let place: Vec<f64> = place.split(' ').map(|v| v.parse().unwrap()).collect();
+        let clip = json!({"x": place[0], "y": place[1], "width": place[2], "height": place[3], "scale": 1});
+        let shot = self.call("Page.captureScreenshot", json!({"format": "png", "clip": clip}));
+        let bytes = base64::engine::general_purpose::STANDARD.decode(shot["data"].as_str().unwrap()).unwrap();
+        image::load_from_memory(&bytes).unwrap().into_rgb8()
+    }
+
+    /// MiB of memory that its processes have now.
+    #[cfg(target_os = "linux")]
+    pub fn memory(&self) -> f64 {
+        let number = |entry: &std::fs::DirEntry| entry.file_name().to_str()?.parse::<u32>().ok();
+        let processes: Vec<(u32, u32, f64)> = std::fs::read_dir("/proc")
+            .unwrap()
+            .filter_map(|e| {
+                let id = number(&e.ok()?)?;
+                let stat = std::fs::read_to_string(format!("/proc/{id}/stat")).ok()?;
+                let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+                // Of what several processes share, each has its part (Pss), in KiB.
+                let rollup = std::fs::read_to_string(format!("/proc/{id}/smaps_rollup")).ok()?;
+                let pss =
+                    rollup.lines().find_map(|l| l.strip_prefix("Pss:"))?.split_whitespace().next()?.parse::<f64>();
+                Some((id, fields[1].parse().ok()?, pss.ok()? / 1024.0))
+            })
+            .collect();
+        let mut own = vec![self.child.id()];
+        let mut at = 0;
+        while at < own.len() {
+            let of = own[at];
+            own.extend(processes.iter().filter(|(_, parent, _)| *parent == of).map(|(id, ..)| *id));
+            at += 1;
+        }
+        processes.iter().filter(|(id, ..)| own.contains(id)).map(|(.., mib)| mib).sum()
     }
 
     /// Exceptions and what the browser wrote into its log.

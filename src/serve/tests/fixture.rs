@@ -106,7 +106,7 @@ impl Fixture {
             live: Default::default(),
             recorder: recorder::Recorder::new(data, "orb serve", crate::cli::argv::caller()),
             trail: Default::default(),
-            viewers: Viewers::new(Device::Cpu),
+            viewers: Viewers::new(Device::Cpu, None),
             limits,
             ceiling: Marking::parse("SECRET").unwrap(),
             has_key: false,

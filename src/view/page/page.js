@@ -8,6 +8,8 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 // Milliseconds: without a change the camera rests; a picture on the way should take no longer.
 const RESTS = 180, QUICK = 60;
+// Until a scene that has come is drawn here.
+const OPENS = 60_000;
 const MOST_PIXELS = 1920 * 1200;
 
 const scene = await (await fetch("scene.json")).json();
@@ -21,6 +23,8 @@ let shown = { ...camera };
 let [rest, measuring, turning, said] = [0, false, false, ""];
 // Until the user moves or zooms, the whole scene stays in the picture, however the window changes.
 let fitted = true;
+// What draws in this browser instead of the server, while it does; whether it is to; the next paint; what is said of that.
+let [here, wantedHere, painting, notice] = [null, null, 0, ""];
 
 function say(text) {
   if (text !== said) $("state").textContent = said = text;
@@ -29,6 +33,8 @@ function say(text) {
 function changed() {
   version += 1;
   moving = true;
+  notice = "";
+  delete stage.dataset.settled;
   clearTimeout(rest);
   rest = setTimeout(() => { moving = false; ask(); }, RESTS);
   ask();
@@ -44,6 +50,10 @@ function wanted(atRest) {
 
 async function ask() {
   if (!stage.clientWidth || !stage.clientHeight || document.hidden) return;
+  if (here) {
+    painting ||= requestAnimationFrame(paintHere);
+    return;
+  }
   if (sent) {
     // A sharp picture takes long, and nobody waits for it any more.
     if (sent.rest && sent.version !== version) sent.abort.abort();
@@ -59,14 +69,14 @@ async function ask() {
     const answer = await fetch("frame?" + new URLSearchParams(wanted(atRest)), { signal: mine.abort.signal });
     if (answer.status === 503) again = 300;
     else if (!answer.ok) throw new Error(await answer.text());
-    else {
+    else if (!here) {
       await paint(await answer.blob());
       if (!atRest) scale = Math.min(1, Math.max(0.25, scale * Math.min(1.25, Math.max(0.7, Math.sqrt(QUICK / (performance.now() - begin))))));
       [drawn, drawnAtRest, shown] = [mine.version, atRest, mine.camera];
       stage.dataset.pictures = Number(stage.dataset.pictures || 0) + 1;
       if (atRest) stage.dataset.rested = `${stage.clientWidth}x${stage.clientHeight}`;
       overlay();
-      if (atRest && drawn === version) describe();
+      if (atRest && drawn === version) settled("server");
     }
   } catch (e) {
     if (e.name !== "AbortError") {
@@ -86,6 +96,67 @@ async function paint(blob) {
   try { await frame.decode(); } finally { if (before) URL.revokeObjectURL(before); }
 }
 
+/** The picture of where the camera is now is there, and it rests. */
+function settled(by) {
+  stage.dataset.settled = by;
+  describe();
+}
+
+// ---- drawing in this browser, where the server has the script for it
+
+function paintHere() {
+  painting = 0;
+  if (!here) return;
+  const { w, h } = wanted(true);
+  const [mine, atRest] = [version, !moving];
+  [drawn, drawnAtRest, shown] = [version, atRest, { ...camera }];
+  const how = { width: w, height: h, grid: look.grid, dark: dark.matches };
+  here.draw(axes(shown, scene), how).then(
+    () => { if (here && atRest && mine === version) settled("browser"); },
+    (e) => drawHere(false, e.message),
+  );
+  stage.dataset.pictures = Number(stage.dataset.pictures || 0) + 1;
+  overlay();
+}
+
+/** Changes over, `why` in words where the user did not ask for it. */
+async function drawHere(on, why = "") {
+  if (on === Boolean(wantedHere)) return;
+  const mine = (wantedHere = on ? {} : null);
+  $("webgl").setAttribute("aria-pressed", on);
+  if (!on) {
+    here?.close();
+    $("here")?.remove();
+    [here, drawn, notice] = [null, -1, why && `${why}: the server draws.`];
+    frame.hidden = false;
+    delete stage.dataset.settled;
+    return ask();
+  }
+  // What it does not draw.
+  Object.assign(look, { show: "colour", level: 0 });
+  $("show").value = "colour";
+  $("level").value = 0;
+  changed();
+  notice = "Getting ready to draw in this browser.";
+  const canvas = Object.assign(document.createElement("canvas"), { id: "here" });
+  try {
+    if (!document.createElement("canvas").getContext("webgl2")) throw new Error("This browser has no WebGL2");
+    const [{ open }, answer] = await Promise.all([import("./webgl.js"), fetch("scene.ply")]);
+    if (!answer.ok) throw new Error(await answer.text());
+    const late = new Promise((_, refuse) => setTimeout(refuse, OPENS, new Error("WebGL did not begin in time")));
+    const lost = () => drawHere(false, "The browser took WebGL's memory away");
+    const opened = await Promise.race([open(canvas, scene, await answer.arrayBuffer(), lost), late]);
+    // Changed over again meanwhile.
+    if (wantedHere !== mine) return opened.close();
+    here = opened;
+    frame.after(canvas);
+    frame.hidden = true;
+    changed();
+  } catch (e) {
+    if (wantedHere === mine) drawHere(false, e.message);
+  }
+}
+
 // ---- words
 
 // Three digits, zeros and all.
@@ -98,8 +169,9 @@ function describe() {
   const ofLevel1 = { provenance: "where the texture of level 1 comes from", error: "how far the network expected the colours of level 1 to be off" };
   const what = ofLevel1[look.show] ?? `${look.show} of ${name}`;
   const above = camera.el < 0 ? "below" : "above";
-  const words = `Looking ${bearing(camera, scene).toFixed(0)}°${scene.place ? " from north" : ""}, ${Math.abs(camera.el).toFixed(0)}° from ${above}, ${number(camera.dist)} ${unit} away; ${what}.`;
-  say(measuring ? `${words} Measuring: point ${points.length + 1} of 2.` : words);
+  const words = `Looking ${bearing(camera, scene).toFixed(0)}°${scene.place ? " from north" : ""}, ${Math.abs(camera.el).toFixed(0)}° from ${above}, ${number(camera.dist)} ${unit} away; ${what}${here ? ", drawn in this browser" : ""}.`;
+  if (notice) say(`${notice} ${words}`);
+  else say(measuring ? `${words} Measuring: point ${points.length + 1} of 2.` : words);
   stage.setAttribute("aria-label", `3D view of ${scene.name}. ${words}`);
   frame.alt = `Picture of ${scene.name}. ${words}`;
 }
@@ -262,6 +334,7 @@ function turntable(on) {
 
 function toggle(name, value) {
   look[name] = value;
+  if (look.show !== "colour" || look.level) drawHere(false);
   changed();
 }
 
@@ -297,6 +370,7 @@ const keys = {
   5: () => { if (scene.error) show("error"); },
   l: () => { const all = $("level").options; if (all.length) level(all[($("level").selectedIndex + 1) % all.length].value); },
   Escape: () => { turntable(false); if (measuring) measure(false); },
+  w: () => { if ($("webgl")) drawHere(!wantedHere); },
   Enter: () => { if (measuring) pick(stage.clientWidth / 2, stage.clientHeight / 2); },
 };
 const moves = { ArrowLeft: [40, 0], ArrowRight: [-40, 0], ArrowUp: [0, 40], ArrowDown: [0, -40] };
@@ -361,6 +435,7 @@ $("turn").onclick = () => turntable(!turning);
 $("measure").onclick = () => measure(!measuring);
 $("grid").onclick = grid;
 $("compare").onclick = compare;
+if ($("webgl")) $("webgl").onclick = () => drawHere(!wantedHere);
 $("show").onchange = (e) => show(e.target.value);
 $("level").onchange = (e) => level(e.target.value);
 dark.onchange = changed;
