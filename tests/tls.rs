@@ -2,105 +2,21 @@
 //! the files; who dawdles. Without openssl on the PATH that part says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(feature = "serve")]
 
+mod certified;
 mod served;
 
 use std::io::{self, Read as _, Write as _};
 use std::net::TcpStream;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use rustls::pki_types::pem::PemObject as _;
-use rustls::pki_types::{CertificateDer, PrivateKeyDer, ServerName};
-use rustls::version::{TLS12, TLS13};
-use rustls::{ClientConfig, ClientConnection, RootCertStore, StreamOwned, SupportedProtocolVersion};
-use served::{Served, account, orb};
-
-/// Of `tests/data/tls`, in a folder where keys have the mode that they must have.
-struct Certificates(tempfile::TempDir);
-
-impl Certificates {
-    fn new() -> Certificates {
-        let folder = tempfile::tempdir().unwrap();
-        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/tls");
-        for entry in std::fs::read_dir(from).unwrap() {
-            let path = entry.unwrap().path();
-            let to = folder.path().join(path.file_name().unwrap());
-            std::fs::copy(&path, &to).unwrap();
-            set_mode(&to, 0o600);
-        }
-        Certificates(folder)
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        self.path(name).display().to_string()
-    }
-
-    fn data(&self) -> PathBuf {
-        self.path("data")
-    }
-
-    fn serve(&self, options: &[&str]) -> Served {
-        let (certificate, key) = (self.text("server.pem"), self.text("server.key"));
-        let all = [&["--tls-cert", &certificate, "--tls-key", &key, "--name", "orb.example"], options].concat();
-        Served::start_with(&self.data(), "127.0.0.1:0", &all)
-    }
-
-    fn client(
-        &self,
-        authority: &str,
-        own: Option<&str>,
-        version: &'static SupportedProtocolVersion,
-    ) -> Arc<ClientConfig> {
-        let mut roots = RootCertStore::empty();
-        roots.add(CertificateDer::from_pem_file(self.path(&format!("{authority}.pem"))).unwrap()).unwrap();
-        let config = ClientConfig::builder_with_provider(Arc::new(rustls::crypto::aws_lc_rs::default_provider()))
-            .with_protocol_versions(&[version])
-            .unwrap()
-            .with_root_certificates(roots);
-        Arc::new(match own {
-            None => config.with_no_client_auth(),
-            Some(own) => {
-                let chain = vec![CertificateDer::from_pem_file(self.path(&format!("{own}.pem"))).unwrap()];
-                let key = PrivateKeyDer::from_pem_file(self.path(&format!("{own}.key"))).unwrap();
-                config.with_client_auth_cert(chain, key).unwrap()
-            }
-        })
-    }
-}
-
 #[cfg(unix)]
-fn set_mode(path: &Path, mode: u32) {
-    use std::os::unix::fs::PermissionsExt as _;
-    std::fs::set_permissions(path, std::fs::Permissions::from_mode(mode)).unwrap();
-}
-
-#[cfg(not(unix))]
-fn set_mode(_: &Path, _: u32) {}
-
-/// One request by HTTP 1.0 under TLS; the whole answer.
-fn ask(served: &Served, config: &Arc<ClientConfig>, request: &str) -> io::Result<String> {
-    let name = ServerName::try_from("orb.example").unwrap();
-    let connection = ClientConnection::new(Arc::clone(config), name).unwrap();
-    let stream = TcpStream::connect(&served.host)?;
-    stream.set_read_timeout(Some(Duration::from_secs(30)))?;
-    let mut stream = StreamOwned::new(connection, stream);
-    stream.write_all(request.as_bytes())?;
-    let mut answer = Vec::new();
-    match stream.read_to_end(&mut answer) {
-        Err(e) if answer.is_empty() || e.kind() != io::ErrorKind::UnexpectedEof => Err(e),
-        _ => Ok(String::from_utf8_lossy(&answer).into_owned()),
-    }
-}
-
-fn get(path: &str, host: &str) -> String {
-    format!("GET {path} HTTP/1.0\r\nHost: {host}\r\n\r\n")
-}
+use certified::stop;
+use certified::{Certificates, ask, get, set_mode};
+use rustls::pki_types::CertificateDer;
+use rustls::pki_types::pem::PemObject as _;
+use rustls::version::{TLS12, TLS13};
+use served::{Served, account, orb};
 
 #[test]
 fn what_is_asked_under_tls_is_answered_under_tls() {
@@ -144,15 +60,6 @@ fn what_is_asked_under_tls_is_answered_under_tls() {
     for part in ["tls=on", &format!("certificate_sha256={}", &sha256[..16]), "client_certificates=not asked for"] {
         assert!(start.contains(part), "{part} in {start}");
     }
-}
-
-/// Ends a server in order; its ledger.
-#[cfg(unix)]
-fn stop(served: &mut Served, certificates: &Certificates) -> String {
-    assert!(Command::new("kill").args(["-INT", &served.child.id().to_string()]).status().unwrap().success());
-    assert!(served.child.wait().unwrap().success());
-    let events = orb(&certificates.data()).args(["audit", "events"]).output().unwrap();
-    String::from_utf8(events.stdout).unwrap()
 }
 
 #[cfg(unix)]

@@ -1,4 +1,5 @@
-//! The page: parts of the program, the same for everyone. What is on it, it asks the interface for.
+//! The page: parts of the program, the same for everyone but for the button that signs in by a certificate, which only who
+//! came with one gets. What is on it, it asks the interface for.
 
 use std::sync::Arc;
 
@@ -8,9 +9,15 @@ use axum::http::header;
 use axum::response::{IntoResponse as _, Response};
 use axum::routing::get;
 
+use super::Peer;
 use crate::audit::marking::Level;
 use crate::serve::Server;
 use crate::web::guard::{SCRIPT, STYLE, escaped, part};
+
+/// Tells nobody but who has one that there are certificates, and him nothing of whose it is.
+const BY_CERTIFICATE: &str = "
+    <p><button id=\"by-certificate\" type=\"button\">Sign in by certificate</button>
+    <span class=\"soft\">the one that this browser came with</span></p>";
 
 pub fn routes() -> Router<Arc<Server>> {
     Router::new()
@@ -21,8 +28,9 @@ pub fn routes() -> Router<Arc<Server>> {
 }
 
 /// The banner says what the server may hold at most, so that it is never below what is shown.
-async fn page(State(server): State<Arc<Server>>) -> Response {
+async fn page(State(server): State<Arc<Server>>, Peer(certificate): Peer) -> Response {
     let html = include_str!("../page/index.html")
+        .replace("{{by-certificate}}", if certificate.is_some() { BY_CERTIFICATE } else { "" })
         .replace("{{colour}}", colour(server.ceiling.level()))
         .replace("{{banner}}", &escaped(&server.ceiling.banner()));
     ([(header::CONTENT_TYPE, "text/html; charset=utf-8")], html).into_response()

@@ -91,6 +91,15 @@ $("signin").onsubmit = (e) => {
     }
   });
 };
+// There where this connection came with a client certificate.
+if ($("by-certificate")) $("by-certificate").onclick = () => attempt(async () => {
+  try {
+    signedIn(await ask("POST", "/session", {}));
+  } catch (error) {
+    if (error.status !== 401) throw error;
+    throw new Refused(401, "This certificate signs nobody in: it is bound to no account, or its account is locked or disabled.");
+  }
+});
 $("out").onclick = () => attempt(async () => {
   await ask("DELETE", "/session");
   signedOut("Signed out.");
