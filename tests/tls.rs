@@ -215,6 +215,7 @@ fn what_is_wrong_with_a_revocation_list_is_said() {
         (true, "authority-over.crl.pem", "good until 2020-01-02"),
         (true, "authority.pem", "no PEM block of type X509 CRL"),
         (true, "damaged.crl.pem", "damaged"),
+        (true, "authority-forged.crl.pem", "another's signature under its name"),
         (false, "authority.crl.pem", "--client-ca"),
     ] {
         let mut command = orb(&certificates.data());

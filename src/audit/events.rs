@@ -28,7 +28,7 @@ pub struct EventType {
 
 /// Every kind of event, in the order of their names. All of them are always on. Which key was used stands in each record:
 /// the one that signed it.
-pub const EVENT_TYPES: [EventType; 32] = [
+pub const EVENT_TYPES: [EventType; 33] = [
     event("access.refused", "orb serve refused somebody, so many times in a minute", "attempts are seen"),
     event("account.add", "an account of orb serve was made", "who may do what, and since when"),
     event(
@@ -67,6 +67,11 @@ pub const EVENT_TYPES: [EventType; 32] = [
     event("scene.reconstruct", "orb reconstruct published", MADE),
     event("scene.render", "orb render published", MADE),
     event("scene.train", "orb train published", MADE),
+    event(
+        "serve.revocation",
+        "orb serve read changed revocation lists, or did not take them",
+        "since when which certificates are no longer good",
+    ),
     event("serve.start", "orb serve began to listen", "since when others could reach what is here"),
     event("serve.stop", "orb serve ended", "until when they could"),
     event("session.begin", "an account signed in", "who was there"),

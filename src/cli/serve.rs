@@ -39,7 +39,7 @@ const DOWNLOADS: usize = 16;
 const STREAMS: usize = 256;
 /// Threads that wait for the disk: more than files that are sent at once.
 const WAITING: usize = 32;
-/// How often refusals are looked at.
+/// How often refusals are looked at, and the files of revocation lists.
 const FLUSH: Duration = Duration::from_secs(1);
 
 /// Serve jobs to several people: a page and an interface for programs on a port. Ends with Ctrl-C; a job that runs then is
@@ -125,7 +125,8 @@ struct TlsArgs {
     #[arg(long, value_name = "PEM", requires = "tls_cert")]
     client_ca: Option<PathBuf>,
 
-    /// Certificates that these authorities revoked, PEM (may be given several times): a list of each authority in a chain.
+    /// Certificates that these authorities revoked, PEM (may be given several times): a list of each authority in a chain. Read
+    /// again whenever the files change.
     #[arg(long, value_name = "PEM", requires = "client_ca")]
     client_crl: Vec<PathBuf>,
 
@@ -374,7 +375,7 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     if let Some(tls) = &tls {
         tls.warnings.iter().for_each(|w| eprintln!("orb: warning: {w}"));
         about.push(("certificate_sha256", &tls.certificate_sha256));
-        about.push(("client_certificates", if tls.asks { "required" } else { "not asked for" }));
+        about.push(("client_certificates", if tls.clients.is_some() { "required" } else { "not asked for" }));
         about.push(("revocation_lists", if args.tls.client_crl.is_empty() { "none" } else { "read" }));
     }
     let script_sha256 = script.map(|s| s.sha256());
@@ -391,6 +392,9 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
             while !stop.load(Ordering::Relaxed) {
                 std::thread::sleep(FLUSH);
                 server.recorder.flush(server.now(), false);
+                if let Some(clients) = tls.as_ref().and_then(|tls| tls.clients.as_ref()) {
+                    clients.look(&server);
+                }
             }
         });
         let router = api::router(Arc::clone(&server));

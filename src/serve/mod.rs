@@ -7,12 +7,14 @@
 pub mod account;
 pub mod administration;
 pub mod api;
+pub mod clients;
 pub mod database;
 pub mod files;
 pub mod live;
 pub mod place;
 pub mod recorder;
 pub mod refusal;
+pub mod revocation;
 pub mod role;
 pub mod runner;
 pub mod session;

@@ -52,6 +52,15 @@ impl Recorder {
         events::log(&self.data, &happened)
     }
 
+    /// One that came to nothing, and why.
+    ///
+    /// # Errors
+    /// As [`events::log`].
+    pub fn failed(&self, kind: &'static str, code: &str, about: &[(&str, &str)]) -> Result<()> {
+        let happened = Happened::new(kind, self.command, self.by.clone()).failed(Some(code));
+        events::log(&self.data, &about.iter().fold(happened, |h, (name, value)| h.to(name, *value)))
+    }
+
     /// The verdict of a verification.
     pub fn verdict(&self, report: &Report) {
         events::log_verdict(&self.data, self.command, self.by.clone(), report);

@@ -109,6 +109,14 @@ impl Sessions {
     pub fn end_all_of(&self, name: &str) {
         lock(&self.0).retain(|_, s| s.account != name);
     }
+
+    pub fn end_all_by(&self, certificate: &Fingerprint) {
+        lock(&self.0).retain(|_, s| s.by != Proof::Certificate(*certificate));
+    }
+
+    pub fn are_by(&self, certificate: &Fingerprint) -> bool {
+        lock(&self.0).values().any(|s| s.by == Proof::Certificate(*certificate))
+    }
 }
 
 #[cfg(test)]
@@ -138,5 +146,10 @@ mod tests {
         }
         assert!(sessions.find(&first.id, 50).is_none(), "too many of one account");
         assert!(sessions.find("", 0).is_none());
+        let [own, other] = [b"a", b"b"].map(|der| Fingerprint::of(der));
+        let [d, e] = [own, other].map(|c| sessions.begin("john", Proof::Certificate(c), 0).unwrap());
+        assert!(sessions.are_by(&own));
+        sessions.end_all_by(&own);
+        assert!(!sessions.are_by(&own) && sessions.find(&d.id, 1).is_none() && sessions.find(&e.id, 1).is_some());
     }
 }

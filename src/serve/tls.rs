@@ -1,33 +1,35 @@
 //! TLS for the port, where a certificate was named: rustls over AWS-LC, versions 1.2 (RFC 5246) and 1.3 (RFC 8446).
 //!
 //! With `--client-ca` a connection needs a certificate of one of these authorities, and with `--client-crl` one that none of
-//! them revoked. It admits the connection; who somebody is, a token says, or the certificate where it is bound to an account.
+//! them revoked ([`super::clients`]). It admits the connection; who somebody is, a token says, or the certificate where it is bound to an account.
 //! TLS sessions are not resumed, so that every connection's certificate is looked at.
 
+use std::future::pending;
 use std::path::{Path, PathBuf};
+use std::pin::Pin;
 use std::sync::Arc;
 use std::time::Duration;
 
 use pkcs8::der::Decode as _;
 use rustls::crypto::aws_lc_rs::default_provider;
-use rustls::server::{NoServerSessionStorage, WebPkiClientVerifier};
+use rustls::server::NoServerSessionStorage;
 use rustls::sign::{CertifiedKey, SingleCertAndKey};
 use rustls::version::{TLS12, TLS13};
 use rustls::{InconsistentKeys, RootCertStore, ServerConfig};
 use rustls_pki_types::pem::PemObject as _;
-use rustls_pki_types::{CertificateDer, CertificateRevocationListDer, PrivateKeyDer, ServerName};
+use rustls_pki_types::{CertificateDer, PrivateKeyDer, ServerName};
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
 use tokio::time::timeout;
 use tokio_rustls::TlsAcceptor;
 use tokio_rustls::server::TlsStream;
 use webpki::EndEntityCert;
 use x509_cert::Certificate;
-use x509_cert::crl::CertificateList;
 use x509_cert::ext::pkix::{BasicConstraints, ExtendedKeyUsage};
 
 use super::Server;
 use super::account::Fingerprint;
 use super::api::Peer;
+use super::clients::Clients;
 use crate::audit::canonical::sha256_hex;
 use crate::audit::time::format_utc;
 use crate::audit::{disk, keys, pem};
@@ -43,10 +45,8 @@ const LABEL: &str = "CERTIFICATE";
 const MOST: usize = 64;
 /// id-kp-serverAuth and anyExtendedKeyUsage, RFC 5280 §4.2.1.12.
 const SERVES: [&str; 2] = ["1.3.6.1.5.5.7.3.1", "2.5.29.37.0"];
-/// A certificate that ends sooner is warned of.
-const SOON: u64 = 14 * 24 * 3600 * 1000;
-/// Largest file of revocation lists, bytes.
-const CRL_BYTES: u64 = 16 << 20;
+/// A certificate or a list that ends sooner is warned of.
+pub(super) const SOON: u64 = 14 * 24 * 3600 * 1000;
 const SAYS_HTTP: &str = "HTTP/1.0 400 Bad Request\r\nContent-Type: text/plain; charset=utf-8\r\nConnection: close\r\n\r\n\
                          this port speaks TLS: ask it by https\n";
 
@@ -67,8 +67,8 @@ pub struct Tls {
     config: Arc<ServerConfig>,
     /// Of the server's own certificate.
     pub certificate_sha256: String,
-    /// Clients need a certificate.
-    pub asks: bool,
+    /// Clients need a certificate, and this says which are good.
+    pub clients: Option<Arc<Clients>>,
     /// What is not wrong, but will be.
     pub warnings: Vec<String>,
 }
@@ -118,24 +118,20 @@ impl Files {
         let versions = ServerConfig::builder_with_provider(Arc::clone(&provider))
             .with_protocol_versions(&[&TLS13, &TLS12])
             .map_err(|e| failed(&e))?;
-        let verified = match &self.client_ca {
-            None => versions.with_no_client_auth(),
-            Some(path) => {
-                let roots = Arc::new(authorities(path, now)?);
-                let mut verifier = WebPkiClientVerifier::builder_with_provider(roots, provider);
-                if !self.client_crl.is_empty() {
-                    let lists = revoked(&self.client_crl, now, &mut warnings)?;
-                    // A list that is out of date says nothing any more: then nobody comes in.
-                    verifier = verifier.with_crls(lists).enforce_revocation_expiration();
-                }
-                versions.with_client_cert_verifier(verifier.build().map_err(|e| failed(&e))?)
+        let clients = self.client_ca.as_ref().map(|path| Clients::new(path, &self.client_crl, now)).transpose()?;
+        let (verified, clients) = match clients {
+            None => (versions.with_no_client_auth(), None),
+            Some((clients, more)) => {
+                warnings.extend(more);
+                let clients = Arc::new(clients);
+                (versions.with_client_cert_verifier(clients.clone()), Some(clients))
             }
         };
         let mut config = verified.with_cert_resolver(Arc::new(SingleCertAndKey::from(own)));
         config.alpn_protocols = vec![b"http/1.1".to_vec()];
         config.session_storage = Arc::new(NoServerSessionStorage {});
         config.send_tls13_tickets = 0;
-        Ok(Tls { config: Arc::new(config), certificate_sha256, asks: self.client_ca.is_some(), warnings })
+        Ok(Tls { config: Arc::new(config), certificate_sha256, clients, warnings })
     }
 }
 
@@ -217,10 +213,15 @@ fn private_key(path: &Path) -> Result<PrivateKeyDer<'static>> {
     })
 }
 
-pub(super) fn authorities(path: &Path, now: u64) -> Result<RootCertStore> {
+/// Authorities, good now: for verifying with, and as they stand in the file.
+///
+/// # Errors
+/// Environment for a file that cannot be read; usage for what is no authority's certificate.
+pub(super) fn authorities(path: &Path, now: u64) -> Result<(RootCertStore, Vec<CertificateDer<'static>>)> {
     let mut roots = RootCertStore::empty();
-    for der in certificates(path)? {
-        let certificate = parse(path, &der)?;
+    let all = certificates(path)?;
+    for der in &all {
+        let certificate = parse(path, der)?;
         let name = certificate.tbs_certificate.subject.to_string();
         let no_authority = |found: String| {
             Error::usage(path.display().to_string()).expected("certificates of authorities").found(found)
@@ -231,58 +232,22 @@ pub(super) fn authorities(path: &Path, now: u64) -> Result<RootCertStore> {
             return Err(no_authority(format!("{name}, which is none (basicConstraints)")));
         }
         good_now(path, &certificate, now)?;
-        roots.add(der).map_err(|e| no_authority(format!("{name}: {e}")))?;
+        roots.add(der.clone()).map_err(|e| no_authority(format!("{name}: {e}")))?;
     }
-    Ok(roots)
-}
-
-/// Revocation lists, good now.
-fn revoked(
-    paths: &[PathBuf],
-    now: u64,
-    warnings: &mut Vec<String>,
-) -> Result<Vec<CertificateRevocationListDer<'static>>> {
-    let mut all = Vec::new();
-    for path in paths {
-        let subject = path.display().to_string();
-        let wrong = |found: String| {
-            Error::usage(&subject)
-                .expected("revocation lists (X509 CRL) in PEM form, one after the other")
-                .found(found)
-                .advice("`openssl crl -inform DER -in OLD -out NEW.pem` converts one.")
-        };
-        let bytes = disk::read_limited(path, CRL_BYTES)?;
-        let text = std::str::from_utf8(&bytes).map_err(|_| wrong("bytes that are not text".into()))?;
-        for der in pem::decode_all("X509 CRL", text).map_err(wrong)? {
-            let list = CertificateList::from_der(&der).map_err(|e| wrong(format!("a damaged one ({e})")))?;
-            let ms = |t: x509_cert::time::Time| u64::try_from(t.to_unix_duration().as_millis()).unwrap_or(u64::MAX);
-            let next = list.tbs_cert_list.next_update.map(ms);
-            let until = next.ok_or_else(|| wrong("one that does not say until when it is good (nextUpdate)".into()))?;
-            if until <= now {
-                return Err(Error::usage(&subject)
-                    .expected(format!("a list that is good now, {}", format_utc(now)))
-                    .found(format!("one that was good until {}", format_utc(until)))
-                    .advice("Ask its authority for the next one."));
-            }
-            if until < now + SOON {
-                warnings.push(format!("{subject}: good until {} only; then nobody comes in", format_utc(until)));
-            }
-            all.push(der.into());
-        }
-    }
-    Ok(all)
+    Ok((roots, all))
 }
 
 /// The port's entrance under TLS.
 #[derive(Clone)]
 pub struct Door {
     acceptor: TlsAcceptor,
+    clients: Option<Arc<Clients>>,
     server: Arc<Server>,
 }
 
 impl Door {
     pub fn new(tls: &Tls, server: Arc<Server>) -> Door {
-        Door { acceptor: TlsAcceptor::from(Arc::clone(&tls.config)), server }
+        Door { acceptor: TlsAcceptor::from(Arc::clone(&tls.config)), clients: tls.clients.clone(), server }
     }
 
     async fn shake(&self, mut stream: Patient) -> Option<TlsStream<Patient>> {
@@ -312,11 +277,25 @@ impl Door {
 impl Entrance for Door {
     type Stream = TlsStream<Patient>;
     type Peer = Peer;
+    type Over = Pin<Box<dyn Future<Output = ()> + Send>>;
 
-    async fn enter(&self, stream: Patient) -> Option<(TlsStream<Patient>, Peer)> {
+    async fn enter(&self, stream: Patient) -> Option<(TlsStream<Patient>, Peer, Self::Over)> {
+        let generation = self.clients.as_ref().map_or(0, |clients| clients.generation());
         let stream = timeout(HANDSHAKE, self.shake(stream)).await.ok().flatten()?;
-        let leaf = stream.get_ref().1.peer_certificates().and_then(|chain| chain.first());
-        let peer = Peer(leaf.map(|der| Fingerprint::of(der)));
-        Some((stream, peer))
+        let chain = stream.get_ref().1.peer_certificates().unwrap_or_default();
+        let peer = Peer(chain.first().map(|der| Fingerprint::of(der)));
+        let over: Self::Over = match &self.clients {
+            None => Box::pin(pending()),
+            Some(clients) => {
+                let mut over = clients.admit(chain, generation, &self.server.sessions)?;
+                Box::pin(async move {
+                    // Who would say it says it before he is gone.
+                    if over.wait_for(|over| *over).await.is_err() {
+                        pending().await
+                    }
+                })
+            }
+        };
+        Some((stream, peer, over))
     }
 }

@@ -1,8 +1,9 @@
 //! Connections: few, small, and none that may dawdle.
 
+use std::future::{Pending, pending, poll_fn};
 use std::io;
 use std::net::SocketAddr;
-use std::pin::Pin;
+use std::pin::{Pin, pin};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll, ready};
@@ -39,9 +40,11 @@ pub trait Entrance: Clone + Send + Sync + 'static {
     type Stream: AsyncRead + AsyncWrite + Unpin + Send;
     /// What was learnt of the other end: an extension of each request.
     type Peer: Clone + Send + Sync + 'static;
+    /// Done when the other end may be here no longer: the connection ends then, whatever is under way on it.
+    type Over: Future<Output = ()> + Send + Unpin;
 
     /// `None` for one that is not let in. It counts as a connection meanwhile, and must end by itself.
-    fn enter(&self, stream: Patient) -> impl Future<Output = Option<(Self::Stream, Self::Peer)>> + Send;
+    fn enter(&self, stream: Patient) -> impl Future<Output = Option<(Self::Stream, Self::Peer, Self::Over)>> + Send;
 }
 
 /// HTTP as it is.
@@ -51,9 +54,10 @@ pub struct Plain;
 impl Entrance for Plain {
     type Stream = Patient;
     type Peer = ();
+    type Over = Pending<()>;
 
-    async fn enter(&self, stream: Patient) -> Option<(Patient, ())> {
-        Some((stream, ()))
+    async fn enter(&self, stream: Patient) -> Option<(Patient, (), Pending<()>)> {
+        Some((stream, (), pending()))
     }
 }
 
@@ -102,15 +106,20 @@ pub async fn serve(
         let entrance = entrance.clone();
         tokio::spawn(async move {
             let _ = stream.set_nodelay(true);
-            let Some((stream, peer)) = entrance.enter(Patient::new(stream)).await else { return drop(place) };
+            let Some((stream, peer, mut over)) = entrance.enter(Patient::new(stream)).await else { return drop(place) };
             let service = service_fn(move |mut request: Request<Incoming>| {
                 request.extensions_mut().insert(peer.clone());
                 service.call(request)
             });
             let mut http = http1::Builder::new();
             http.timer(TokioTimer::new()).header_read_timeout(HEAD).max_buf_size(BUFFER).max_headers(64);
+            let mut connection = pin!(http.serve_connection(TokioIo::new(stream), service));
             // Who breaks the connection off has no use for an error.
-            let _ = http.serve_connection(TokioIo::new(stream), service).await;
+            poll_fn(|cx| match Pin::new(&mut over).poll(cx) {
+                Poll::Ready(()) => Poll::Ready(()),
+                Poll::Pending => connection.as_mut().poll(cx).map(|_| ()),
+            })
+            .await;
             drop(place);
         });
     }

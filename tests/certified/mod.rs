@@ -6,6 +6,7 @@ use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 #[cfg(unix)]
 use std::process::Command;
+use std::process::Stdio;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -46,9 +47,14 @@ impl Certificates {
     }
 
     pub fn serve(&self, options: &[&str]) -> Served {
+        self.serve_saying(options, Stdio::inherit())
+    }
+
+    /// With its standard error somewhere.
+    pub fn serve_saying(&self, options: &[&str], error: Stdio) -> Served {
         let (certificate, key) = (self.text("server.pem"), self.text("server.key"));
         let all = [&["--tls-cert", &certificate, "--tls-key", &key, "--name", "orb.example"], options].concat();
-        Served::start_with(&self.data(), "127.0.0.1:0", &all)
+        Served::start_saying(&self.data(), "127.0.0.1:0", &all, &[], error)
     }
 
     pub fn client(

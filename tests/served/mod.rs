@@ -46,11 +46,23 @@ impl Served {
 
     /// And variables.
     pub fn start_in(data: &Path, bind: &str, options: &[&str], environment: &[(&str, &str)]) -> Served {
+        Served::start_saying(data, bind, options, environment, Stdio::inherit())
+    }
+
+    /// And where its standard error goes.
+    pub fn start_saying(
+        data: &Path,
+        bind: &str,
+        options: &[&str],
+        environment: &[(&str, &str)],
+        error: Stdio,
+    ) -> Served {
         let mut child = orb(data)
             .args(["serve", "--bind", bind, "--device", "cpu", "--max-marking", "UNCLASSIFIED"])
             .args(options)
             .envs(environment.iter().copied())
             .stdout(Stdio::piped())
+            .stderr(error)
             .spawn()
             .unwrap();
         let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();

@@ -229,7 +229,7 @@ pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
 pub fn list_events(args: &EventsArgs, data: &DataFolder) -> Result<Outcome> {
     if args.json {
         let json =
-            serde_json::to_string(&events::EVENT_TYPES).map_err(|e| Error::usage("events").found(e.to_string()))?;
+            serde_json::to_string(&events::EVENT_TYPES[..]).map_err(|e| Error::usage("events").found(e.to_string()))?;
         return Ok(Outcome { text: format!("{json}\n"), exit_code: 0 });
     }
     let mut text = String::from("Recorded, always:\n");

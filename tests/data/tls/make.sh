@@ -1,6 +1,7 @@
 #!/bin/bash
-# Makes the certificates of tests/tls.rs anew: an authority, a server and clients of it, the same out of date, one that is
-# revoked, the authority's revocation list and one that is out of date, and a client and a list of another authority. Keys of tests: whoever reads this has them. Good until 2125, so that nobody has to make them again.
+# Makes the certificates of tests/tls.rs and others anew: an authority, a server and clients of it, the same out of date, one
+# that is revoked, the authority's revocation list, one that is out of date, a later one that revokes another client, one later
+# still that does not, one by somebody else under the authority's name, and a client and a list of another authority. Keys of tests: whoever reads this has them. Good until 2125, so that nobody has to make them again.
 set -euo pipefail
 cd "$(dirname "$0")"
 begin=20200101000000Z
@@ -9,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 
 key() { openssl genpkey -algorithm EC -pkeyopt ec_paramgen_curve:P-256 -out "$1" 2>/dev/null; }
 
-# authority NAME
+# authority NAME [NAME THAT IT GIVES ITSELF]
 authority() {
     key "$1.key"
     mkdir "$work/$1"
@@ -23,7 +24,7 @@ authority() {
         'subjectAltName=DNS:localhost,DNS:orb.example,IP:127.0.0.1' \
         '[client]' 'basicConstraints=critical,CA:FALSE' 'keyUsage=critical,digitalSignature' 'extendedKeyUsage=clientAuth' \
         >"$work/$1/conf"
-    openssl req -new -key "$1.key" -subj "/CN=Orb test $1" -out "$work/req" 2>/dev/null
+    openssl req -new -key "$1.key" -subj "/CN=Orb test ${2:-$1}" -out "$work/req" 2>/dev/null
     openssl ca -batch -config "$work/$1/conf" -selfsign -keyfile "$1.key" -extensions authority -notext \
         -startdate $begin -enddate 21251231235959Z -in "$work/req" -out "$1.pem" 2>/dev/null
 }
@@ -36,15 +37,16 @@ certificate() {
         -startdate $begin -enddate "$4" -in "$work/req" -out "$3.pem" 2>/dev/null
 }
 
-# list AUTHORITY NAME END
+# list AUTHORITY NAME END [BEGIN]
 list() {
     openssl ca -gencrl -config "$work/$1/conf" -cert "$1.pem" -keyfile "$1.key" \
-        -crl_lastupdate $begin -crl_nextupdate "$3" -out "$2.crl.pem" 2>/dev/null
+        -crl_lastupdate "${4:-$begin}" -crl_nextupdate "$3" -out "$2.crl.pem" 2>/dev/null
 }
 
 rm -f ./*.key ./*.pem
 authority authority
 authority other
+authority forger authority
 certificate authority server server 21251231235959Z
 certificate authority server server-over 20200102000000Z
 certificate authority client client 21251231235959Z
@@ -55,6 +57,10 @@ certificate other client client-of-other 21251231235959Z
 openssl ca -config "$work/authority/conf" -cert authority.pem -keyfile authority.key -revoke client-revoked.pem 2>/dev/null
 list authority authority 21251231235959Z
 list authority authority-over 20200102000000Z
+list authority authority-again 21251231235959Z 20200103000000Z
+openssl ca -config "$work/authority/conf" -cert authority.pem -keyfile authority.key -revoke client.pem 2>/dev/null
+list authority authority-later 21251231235959Z 20200102000000Z
 list other other 21251231235959Z
+list forger authority-forged 21251231235959Z 20200104000000Z
 # What an authority signs with is needed here alone.
-rm authority.key other.key
+rm authority.key other.key forger.key forger.pem

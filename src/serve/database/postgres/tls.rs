@@ -33,7 +33,7 @@ impl Tls {
         let config = ClientConfig::builder_with_provider(Arc::new(default_provider()))
             .with_protocol_versions(&[&TLS13, &TLS12])
             .map_err(failed)?
-            .with_root_certificates(authorities(path, now)?)
+            .with_root_certificates(authorities(path, now)?.0)
             .with_no_client_auth();
         Ok(Tls(TlsConnector::from(Arc::new(config))))
     }
