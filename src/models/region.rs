@@ -143,16 +143,27 @@ pub fn grown(b: Bounds, by: usize, width: usize, height: usize) -> Bounds {
     [b[0].saturating_sub(by), b[1].saturating_sub(by), (b[2] + by).min(width), (b[3] + by).min(height)]
 }
 
-/// Fills holes (regions ≤ 0.5 that do not reach the border): small ones, and those that the mask itself half believes in.
-/// Wide, clear holes are see-through parts and stay.
-pub fn fill_holes(mask: &mut Plane, small: usize) {
-    let (labels, holes) = regions(mask.width, mask.height, |i| mask.data[i] <= 0.5, |i| f64::from(mask.data[i]));
+/// Below this mean of the network's mask a hole is one that the network saw, not what colours tore open. Of 0.15, 0.3 and no such
+/// bound this is best on five photos outdoors and seven real ones: a tree's mask gains 0.016 of IoU, two lose 0.004.
+const GAP: f64 = 0.3;
+
+/// Fills holes (regions ≤ 0.5 that do not reach the border): small ones, but for those where `before`, the mask before its edge was
+/// moved, is clear ([`GAP`]), and those that the mask itself half believes in. Wide, clear holes are see-through parts and stay.
+pub fn fill_holes(mask: &mut Plane, small: usize, before: &Plane) {
+    let open = |i: usize| mask.data[i] <= 0.5;
+    let (labels, holes) = regions(mask.width, mask.height, open, |i| f64::from(mask.data[i]));
+    let mut told = vec![0.0; holes.len()];
+    for (&label, &v) in labels.iter().zip(&before.data).filter(|(label, _)| **label > 0) {
+        told[label as usize - 1] += f64::from(v);
+    }
+    let filled = |hole: &Region, told: f64| {
+        let all = hole.pixels as f64;
+        let gap = told < GAP * all;
+        !hole.touches_border && (hole.pixels <= small && !gap || hole.weight > 0.3 * all)
+    };
+    let filled: Vec<bool> = holes.iter().zip(&told).map(|(hole, told)| filled(hole, *told)).collect();
     for (value, &label) in mask.data.iter_mut().zip(&labels) {
-        if label == 0 {
-            continue;
-        }
-        let hole = holes[label as usize - 1];
-        if !hole.touches_border && (hole.pixels <= small || hole.weight > 0.3 * hole.pixels as f64) {
+        if label > 0 && filled[label as usize - 1] {
             *value = 1.0;
         }
     }
@@ -206,7 +217,13 @@ mod tests {
             "09999999999990",
             "00000000000000",
         ]);
-        fill_holes(&mut mask, 1);
+        // The small hole was the subject before colours came.
+        let mut before = mask.clone();
+        before.data[2 * 14 + 2] = 0.8;
+        let mut clear = mask.clone();
+        fill_holes(&mut clear, 1, &mask);
+        assert_eq!(clear.at(2, 2), 0.0, "a gap that the network saw stays");
+        fill_holes(&mut mask, 1, &before);
         assert_eq!(
             mask,
             picture(&[

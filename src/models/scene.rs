@@ -227,9 +227,10 @@ fn correct(guide: &[[f32; 3]], mut mask: Plane, rough: Bounds, pixel: f32, focus
         return Err(no_subject("what is at the centre looks like what surrounds it"));
     }
     let pixels = |share: f32| ((share * size as f32) as usize).max(2);
+    let before = mask.clone();
     let core = colour_model::refine(&colours.log_odds, &mut mask, near, pixels(REACH), pixels(CORE));
     let area = mask.data.iter().filter(|v| **v > 0.5).count();
-    fill_holes(&mut mask, area / 300);
+    fill_holes(&mut mask, area / 300, &before);
     // Two pixels of what the network saw.
     let radius = ((2.0 * pixel) as usize).max(2);
     let mut mask = guided_filter(guide, &mask, radius, 1e-4);

@@ -24,6 +24,9 @@ pub struct Found {
     pub kept: f32,
 }
 
+/// Of the elevation at which the photo's silhouette fits the six views', radians: taken, not measured.
+const ELEVATION_ERROR: f32 = 0.05;
+
 /// Brings the prior into the frame of the six views: a model fitted to them takes its Gaussians' place, and the camera from
 /// which the photo's silhouette is consistent with theirs takes its camera's.
 ///
@@ -43,6 +46,7 @@ pub fn settle(view: &mut OneView, views: &[View], seed: u64, progress: &dyn Prog
     let carved = hull.carved(|p| pixel(&c.camera, p).is_none_or(|(x, y)| seen[y * view.mask.width + x]));
     view.camera = c.camera;
     view.elevation = c.elevation;
+    view.elevation_error = ELEVATION_ERROR;
     view.silhouette_iou = c.filled;
     // What the network expected of its own Gaussians says nothing of these.
     view.expected_errors = None;
@@ -135,6 +139,7 @@ mod tests {
             gaussians: g.transformed(Mat3::from_rotation_x((degrees - guess).to_radians()), 0.9, Vec3::ZERO),
             elevation: guess.to_radians(),
             camera: canonical_camera(guess.to_radians(), 160),
+            elevation_error: 0.05,
             silhouette_iou: 0.0,
             crop: Rect { x: 0.0, y: 0.0, width: 160.0, height: 160.0 },
             colour: seen

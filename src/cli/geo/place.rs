@@ -1,5 +1,6 @@
 //! From options and photo to a place, a heading and a size, each with what it is known to.
 
+use std::f64::consts::SQRT_2;
 use std::fs::File;
 use std::io::BufReader;
 
@@ -42,8 +43,9 @@ const GIVEN_HEADING_SIGMA: f64 = 1.0;
 const GIMBAL_SIGMA: f64 = 3.0;
 const COMPASS_SIGMA: f64 = 5.0;
 const UNKNOWN_HEADING_SIGMA: f64 = 103.9;
-/// Of the network's elevation, degrees (`prior/README.md`), and of a gimbal's pitch.
-const NETWORK_ELEVATION_SIGMA: f64 = 4.0;
+/// Of the networks' elevation, at least, degrees: below this their errors were not told apart.
+const LEAST_ELEVATION_SIGMA: f64 = 1.0;
+/// Of a gimbal's pitch, degrees.
 const PITCH_SIGMA: f64 = 1.5;
 /// Of a posed camera's over the ground that the photos or their points show.
 const POSED_ELEVATION_SIGMA: f64 = 1.0;
@@ -328,7 +330,8 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
     let crop = &done.prior.crop;
     let view = View {
         elevation: done.prior.elevation,
-        elevation_sigma: NETWORK_ELEVATION_SIGMA.to_radians(),
+        // Of a Laplace distribution whose mean error is the expected one.
+        elevation_sigma: (SQRT_2 * f64::from(done.prior.elevation_error)).max(LEAST_ELEVATION_SIGMA.to_radians()),
         crop_side: crop.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),

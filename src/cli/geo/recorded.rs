@@ -71,6 +71,7 @@ pub fn params(
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
         ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),
         ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
+        ("elevation_expected_error_deg".into(), text(format!("{:.2}", done.prior.elevation_error.to_degrees()))),
     ]);
     all.extend(args.write.params(catalogue));
     all.extend(placed.params(line));
