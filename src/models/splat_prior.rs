@@ -391,6 +391,26 @@ mod tests {
     }
 
     #[test]
+    fn both_networks_elevations_are_joined_by_errors_that_hold_on_photographs() {
+        let subject = Subject {
+            mask: Plane::new(64, 64, 1.0),
+            depth: Plane::new(64, 64, 0.0),
+            bounds: [0, 0, 64, 64],
+            scale: (1.0, 1.0),
+            from_cutout: false,
+            expected_iou: None,
+            elevation: Elevation { mean: 0.4, spread: 0.05 * OVERCONFIDENT },
+        };
+        let ports = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)];
+        let mut ports = ports.map(|(name, width)| Port::new(name, &[1, COUNT, width])).to_vec();
+        ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
+        // 0.2 ± 0.05, as it says of itself, and 0.4 ± as much as that is worth.
+        let view = one_view(&RgbImage::new(64, 64), &subject, &Flat(ports)).unwrap();
+        assert!((view.elevation - 0.3).abs() < 1e-6, "{}", view.elevation);
+        assert!((view.elevation_error - 0.09).abs() < 1e-6, "{}", view.elevation_error);
+    }
+
+    #[test]
     fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
         use crate::models::{Engine, Rten, prior, scene};
         let bytes = include_bytes!("../../tests/data/container.jpg");
