@@ -4,7 +4,7 @@
 //! spread and how ragged the outline gets. A chart whose flat picture overlaps itself is cut in two.
 
 use super::relax::relax;
-use super::smooth::corner_angle;
+use super::smooth::{corner_angle, turn_out, vertex_normals};
 use super::{Mesh, Surface, cross};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -364,7 +364,7 @@ pub fn assemble(surface: &Surface, charts: &[Chart], uv: &[Vec<[Vec2; 3]>]) -> M
     /// Beyond this angle (cosine of 35°) between a chart's own normal and the whole ring's, a seam is a crease.
     const CREASE: f32 = 0.82;
     let p = &surface.positions;
-    let whole = super::smooth::vertex_normals(p, &surface.triangles);
+    let whole = vertex_normals(p, &surface.triangles);
     let mut mesh = Mesh { triangles: vec![[0; 3]; surface.triangles.len()], ..Mesh::default() };
     let mut vertex_of = vec![u32::MAX; p.len()];
     for (chart, uv) in charts.iter().zip(uv) {
@@ -392,6 +392,7 @@ pub fn assemble(surface: &Surface, charts: &[Chart], uv: &[Vec<[Vec2; 3]>]) -> M
             vertex_of[i as usize] = u32::MAX;
         }
     }
+    turn_out(&mesh.positions, &mesh.triangles, &mut mesh.normals);
     mesh
 }
 
