@@ -83,6 +83,11 @@ impl Browser {
     }
 
     fn call(&mut self, method: &str, params: Value) -> Value {
+        self.asked(method, params).unwrap_or_else(|error| panic!("{method}: {error}"))
+    }
+
+    /// The answer, or the error that the browser answers with.
+    fn asked(&mut self, method: &str, params: Value) -> Result<Value, Value> {
         self.last += 1;
         let mut message = json!({"id": self.last, "method": method, "params": params});
         if !self.session.is_empty() {
@@ -100,8 +105,8 @@ impl Browser {
                 }
                 Some(_) => {}
                 None if answer["id"] == self.last => {
-                    assert!(answer["error"].is_null(), "{method}: {}", answer["error"]);
-                    return answer["result"].clone();
+                    let error = &answer["error"];
+                    return if error.is_null() { Ok(answer["result"].clone()) } else { Err(error.clone()) };
                 }
                 None => {}
             }
@@ -119,6 +124,11 @@ impl Browser {
         self.call("Page.navigate", json!({"url": address}));
     }
 
+    /// Loads the page anew; returns before it is.
+    pub fn reload(&mut self) {
+        self.call("Page.reload", json!({}));
+    }
+
     /// An expression's value as text, awaited if it is a promise.
     pub fn value(&mut self, expression: &str) -> String {
         let asked = json!({"expression": expression, "awaitPromise": true, "returnByValue": true});
@@ -134,9 +144,10 @@ impl Browser {
 
     pub fn until_within(&mut self, expression: &str, patience: Duration) {
         let end = Instant::now() + patience;
-        // The page may not be there yet: what cannot be evaluated does not hold.
-        let asked = format!("(() => {{ try {{ return String(!!({expression})) }} catch {{ return 'false' }} }})()");
-        while self.value(&asked) != "true" {
+        // The page may not be there yet, or give way to another while it is asked: what cannot be evaluated does not hold.
+        let asked = format!("(() => {{ try {{ return !!({expression}) }} catch {{ return false }} }})()");
+        let asked = json!({"expression": asked, "returnByValue": true});
+        while !self.asked("Runtime.evaluate", asked.clone()).is_ok_and(|a| a["result"]["value"] == true) {
             if Instant::now() > end {
                 let state = self.value("document.body.innerText");
                 panic!("{expression} does not hold after {patience:?}: {state}\n{:?}", self.complaints);
