@@ -11,6 +11,7 @@ pub mod magnetic;
 pub mod mgrs;
 pub mod ortho;
 mod placement;
+mod positive;
 #[cfg(feature = "proj")]
 mod proj;
 pub mod scale;

@@ -4,6 +4,7 @@
 //! logarithms, since a scale is a ratio. What is assumed counts only where nothing was measured.
 
 use super::Extents;
+use super::positive::Positive;
 use crate::{Error, Result};
 
 /// A dimension the operator knows, metres.
@@ -111,6 +112,12 @@ pub enum ScaleSource {
 }
 
 impl ScaleSource {
+    /// The camera stands on the ground under the subject.
+    pub fn by_camera_height(self) -> bool {
+        use ScaleSource::{CameraHeightAssumedFocal, CameraHeightExifFocal, CameraHeightPosedFocal};
+        matches!(self, CameraHeightExifFocal | CameraHeightAssumedFocal | CameraHeightPosedFocal)
+    }
+
     pub fn label(self) -> &'static str {
         match self {
             ScaleSource::KnownHeight => "known-height",
@@ -199,9 +206,18 @@ impl View {
         f64::from(self.canonical_distance) * spread * self.focal().0 / f64::from(self.crop_side)
     }
 
-    /// Units from the ground up to the camera.
+    /// Units from the ground under the subject up to the camera: D sin(elevation) + centre above ground. Negative for a camera
+    /// that looks up from below that ground.
     pub fn camera_above_ground(&self, extents: &Extents) -> f64 {
         self.distance() * f64::from(self.elevation).sin() + extents.centre_above_ground
+    }
+
+    /// The same of a camera that stands on that ground. `None` where that is not to be believed.
+    pub fn standing_above_ground(&self, extents: &Extents) -> Option<Positive> {
+        let (sin, cos) = f64::from(self.elevation).sin_cos();
+        let by_elevation = cos * self.elevation_sigma;
+        let sigma = self.distance() * (sin * self.focal().1).hypot(by_elevation);
+        Positive::measured(self.camera_above_ground(extents), sigma)
     }
 
     fn focal_words(&self) -> String {
@@ -231,11 +247,9 @@ pub fn metres_per_unit(hints: &Hints, extents: &Extents, view: &View) -> Result<
             Some(e) => estimates.push(e),
             None if estimates.is_empty() => {
                 return Err(Error::usage("scale")
-                    .expected("a camera above the ground")
-                    .found(format!("an estimated elevation of {:.1}°", view.elevation.to_degrees()))
-                    .advice(
-                        "The photo seems to look up at the subject: give --height, --length or --width in metres.",
-                    ));
+                    .expected("a camera above the ground on which the subject stands")
+                    .found(format!("one that looks up at the subject's middle by {:.1}°", -view.elevation.to_degrees()))
+                    .advice("Give --height, --length or --width of the subject in metres."));
             }
             None => {}
         }
@@ -304,20 +318,13 @@ fn from_front(front: Measured, before_middle: f64, view: &View) -> Option<Estima
 }
 
 /// The camera stands that high over the ground plane: metres a unit = height / (D sin(elevation) + centre above ground).
-/// `None` where the camera would lie on the ground, below a tenth of a unit: the elevation is not believable.
+/// `None` where it looks up from so far below that no error of the elevation explains it.
 fn from_camera_height(height: Measured, extents: &Extents, view: &View) -> Option<Estimate> {
-    let units = view.camera_above_ground(extents);
-    if units < 0.1 {
-        return None;
-    }
-    let (_, focal_sigma, by) = view.focal();
-    let (sin, cos) = f64::from(view.elevation).sin_cos();
-    let by_focal = view.distance() * sin * focal_sigma / units;
-    let by_elevation = view.distance() * cos * view.elevation_sigma / units;
+    let units = view.standing_above_ground(extents)?;
     Some(Estimate {
-        metres_per_unit: height.metres / units,
-        sigma: (height.sigma / height.metres).hypot(by_focal).hypot(by_elevation),
-        source: by.pick([
+        metres_per_unit: height.metres / units.median,
+        sigma: (height.sigma / height.metres).hypot(units.sigma),
+        source: view.focal().2.pick([
             ScaleSource::CameraHeightPosedFocal,
             ScaleSource::CameraHeightExifFocal,
             ScaleSource::CameraHeightAssumedFocal,
@@ -403,7 +410,7 @@ mod tests {
     #[test]
     fn camera_height_gives_the_scale_of_a_known_scene() {
         let (metres_a_unit, elevation) = (2.0f64, 15f64.to_radians());
-        let v = view(15.0);
+        let v = View { elevation_sigma: 0.01, ..view(15.0) };
         let focal = 50.0 * 512f64.hypot(512.0) / DIAGONAL_35MM;
         let distance = 3.9 * 2.0 * 15f64.to_radians().tan() * focal / 400.0;
         let height = metres_a_unit * (distance * elevation.sin() + 0.35);
@@ -415,6 +422,17 @@ mod tests {
         let s = metres_per_unit(&far, &EXTENTS, &v).unwrap();
         assert!((s.metres_per_unit - metres_a_unit).abs() < 1e-6);
         assert_eq!(s.source, ScaleSource::DistanceExifFocal);
+    }
+
+    /// Before a building the camera stands below its middle; where the angle says that it stands below the ground, the angle is off.
+    #[test]
+    fn a_photo_that_looks_up_gives_a_scale_that_is_hardly_known() {
+        let scale = |elevation| metres_per_unit(&hints(&[]), &EXTENTS, &view(elevation));
+        let (level, up, steep) = (scale(0.0).unwrap(), scale(-6.0).unwrap(), scale(-10.0).unwrap());
+        assert!(level.sigma < up.sigma && up.sigma < steep.sigma && steep.sigma < 1.2, "{level:?} {up:?} {steep:?}");
+        assert!((level.metres_per_unit / (1.6 / 0.35) - 1.0).abs() < 0.3, "{level:?}");
+        assert!(steep.metres_per_unit < 20.0 * level.metres_per_unit && steep.metres_per_unit > up.metres_per_unit);
+        assert!(scale(-20.0).is_err());
     }
 
     /// A network that is off by a tenth, and one that agrees with a length that is known far better.
@@ -466,7 +484,7 @@ mod tests {
 
     #[test]
     fn agreeing_measurements_sharpen_and_contradicting_ones_are_said() {
-        let v = view(15.0);
+        let v = View { elevation_sigma: 0.01, ..view(15.0) };
         let true_height = 2.3 * v.camera_above_ground(&EXTENTS);
         let both = Hints { known: vec![Known::Length(4.6), Known::Height(1.84)], ..standing(true_height) };
         let s = metres_per_unit(&both, &EXTENTS, &v).unwrap();

@@ -17,7 +17,8 @@ pub struct Stand {
 pub fn stand(view: &View, extents: &Extents, scale: &Scale) -> Stand {
     let (sin, cos) = f64::from(view.elevation).sin_cos();
     let slant = view.distance() * scale.metres_per_unit;
-    let above = view.camera_above_ground(extents) * scale.metres_per_unit;
+    let standing = if scale.source.by_camera_height() { view.standing_above_ground(extents) } else { None };
+    let above = standing.map_or(view.camera_above_ground(extents), |s| s.median) * scale.metres_per_unit;
     let (_, focal, _) = view.focal();
     // A known camera height fixes `above`, a known dimension does not: the larger of both is said.
     Stand {

@@ -36,6 +36,8 @@ struct Anchor {
     words: String,
 }
 
+/// Deviation of the scale's logarithm from which on the user is told.
+const HARDLY_KNOWN: f64 = 0.5;
 /// What a phone's receiver is good to under open sky.
 const GNSS_SIGMA: f64 = 5.0;
 /// Bearings: typed in, of a gimbal, of a hand-held compass, of nobody (uniform).
@@ -222,6 +224,13 @@ pub fn place(
     let scale = geo::metres_per_unit(&hints, &extents, &view)?;
     if scale.contradictory {
         warnings.push(format!("what gives the scale contradicts itself: {}", scale.words()));
+    }
+    if scale.sigma > HARDLY_KNOWN {
+        warnings.push(format!(
+            "the size is known to a factor of {:.1} alone, one standard deviation: the photo looks level or up at the subject, and \
+             its ground says little. Give --height, --length or --width of the subject in metres.",
+            scale.sigma.exp()
+        ));
     }
     let to_metres = ToMetres::new(&finest.mesh, scale.metres_per_unit);
     let registered = registration.as_ref().filter(|_| wanted.origin.is_none());
