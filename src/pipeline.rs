@@ -290,7 +290,11 @@ pub fn fit(
 
     let seen = symmetry::Seen { camera: one_view.camera, color: &one_view.colour, mask: &one_view.mask.data };
     // Views drawn by others show the far side themselves, and stand in another frame than the prior.
-    let wanted = if sources.views_are_the_priors() { settings.symmetry } else { Use::Off };
+    let wanted = match settings.symmetry {
+        _ if !sources.views_are_the_priors() => Use::Off,
+        Use::Auto if subject.seen_in_part() => Use::Evident,
+        asked => asked,
+    };
     let found = symmetry::find(&one_view.gaussians, &seen, wanted);
     let Completed { gaussians, origins, photos: mirrored } =
         symmetry::complete(&one_view.gaussians, &seen, &symmetry::used(&found));

@@ -58,6 +58,20 @@ impl Subject {
     pub fn cut_off_below(&self) -> bool {
         reaches_the_last_row(&self.mask)
     }
+
+    /// Whether the photo's left, right or upper border runs through the subject, so that the middle of what is seen is not the
+    /// subject's own. A foot that is cut off changes nothing of that.
+    pub fn seen_in_part(&self) -> bool {
+        crossed_beside_or_above(&self.mask, self.bounds)
+    }
+}
+
+/// On the first row, or the first or last column, for more than a third of what the bounds measure there.
+fn crossed_beside_or_above(mask: &Plane, [x0, y0, x1, y1]: Bounds) -> bool {
+    let on = |x: usize, y: usize| mask.at(x, y) > 0.5;
+    let column = |x: usize| (y0..y1).filter(|y| on(x, *y)).count();
+    let above = (x0..x1).filter(|x| on(*x, 0)).count();
+    3 * above > x1 - x0 || [0, mask.width - 1].into_iter().any(|x| 3 * column(x) > y1 - y0)
 }
 
 /// On the last row at least half as wide as anywhere in the lowest tenth, and more than a twentieth of the picture there.

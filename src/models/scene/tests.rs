@@ -78,6 +78,23 @@ fn a_subject_that_the_photo_cuts_off_is_told_from_one_that_stands_in_it() {
 }
 
 #[test]
+fn a_border_through_the_subject_is_told_from_one_it_touches() {
+    let crossed = |inside: &dyn Fn(usize, usize) -> bool| {
+        let data = (0..8000).map(|i| f32::from(u8::from(inside(i % 100, i / 100)))).collect();
+        let mask = Plane { width: 100, height: 80, data };
+        crossed_beside_or_above(&mask, bounds(&mask, 0.5).unwrap())
+    };
+    assert!(!crossed(&|x, y| (30..70).contains(&x) && (20..60).contains(&y)));
+    assert!(crossed(&|x, y| x < 50 && (20..60).contains(&y)));
+    assert!(crossed(&|x, y| x > 50 && (20..60).contains(&y)));
+    assert!(crossed(&|x, y| (30..70).contains(&x) && y < 60));
+    // Its foot is not in the photo; its tip touches the border, or its tail does.
+    assert!(!crossed(&|x, y| (30..70).contains(&x) && y > 20));
+    assert!(!crossed(&|x, y| (30..70).contains(&x) && y > 20 || (45..55).contains(&x)));
+    assert!(!crossed(&|x, y| (30..70).contains(&x) && (20..60).contains(&y) || x < 70 && (30..40).contains(&y)));
+}
+
+#[test]
 fn what_is_half_sure_is_expected_to_overlap_by_half() {
     let plane = |values: [f32; 4]| Plane { width: 4, height: 1, data: values.to_vec() };
     let sure = plane([1.0, 1.0, 0.0, 0.0]);
