@@ -38,6 +38,7 @@ from .layout import (
     TAPER,
 )
 from .lens import defocused, exposed, stored
+from .masks import damaged, leaked
 from .objects import COMPANIONS, SLENDER, make_object
 from .raycast import cast
 from .textures import make_bank, textured
@@ -46,6 +47,8 @@ from .textures import make_bank, textured
 DRESSED = 3
 # Objects that may stand around the subject of a photo.
 DISTRACTORS = 5
+# Behind so many of the subjects with thin or pierced parts something stands that is seen through them.
+SEEN_THROUGH = 0.4
 GREY = 0.5
 
 
@@ -169,8 +172,9 @@ def staged(pool, chosen, size):
     prims[:, :PRIMS] = subject
     counts = pool.counts[chosen].clone().long()
     overgrown = uniform(chosen, 0, 1) < 0.18
+    through = torch.isin(chosen, pool.slender) & (uniform(chosen, 0, 1) < SEEN_THROUGH)
     for i in range(DISTRACTORS):
-        add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0)
+        add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0, behind=through & (i == 1))
     ground = add_perch(prims, counts, ground)
     cameras, elevation = photo_cameras(azimuth, elevation, ground, size, pointed)
     daylight = uniform(chosen, 0, 1) < 0.4
@@ -197,11 +201,12 @@ def calmed(changed, photo, daylight, chance):
     return photo + part[:, None, None, None] * (changed - photo)
 
 
-def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
+def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before, behind):
     """In just under half of the scenes, one more object behind or beside the subject; prims and counts grow in place.
 
     prims [n, P, 36], counts [n] int64, ground [n], azimuth [n] of the camera in radians. `before`: in some scenes
-    a low one in front instead. Where `overgrown` [n] is set, trees and bushes close around and in front.
+    a low one in front instead. Where `overgrown` [n] is set, trees and bushes close around and in front. Where `behind` [n] is
+    set, the object stands close behind the subject, about as large.
     """
     n, capacity, _ = prims.shape
     device = prims.device
@@ -221,7 +226,10 @@ def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before):
     scale = torch.where(overgrown, torch.exp(uniform(ground, -1.5, 0.1)), scale)
     distance = torch.where(overgrown, uniform(ground, 0.8, 1.5) + 0.3 * scale, distance)
     bearing = torch.where(overgrown, azimuth + uniform(ground, -1.7, 1.7), bearing)
-    present = uniform(ground, 0, 1) < torch.where(overgrown, 0.8, 0.45)
+    scale = torch.where(behind, torch.exp(uniform(ground, -0.5, 0.5)), scale)
+    distance = torch.where(behind, uniform(ground, 0.7, 1.8) + 0.5 * scale, distance)
+    bearing = torch.where(behind, azimuth + math.pi + uniform(ground, -0.5, 0.5), bearing)
+    present = (uniform(ground, 0, 1) < torch.where(overgrown, 0.8, 0.45)) | behind
     up = ground - pool.grounds[chosen] * scale
     offset = torch.stack([distance * bearing.cos(), distance * bearing.sin(), up], 1)
     rows[..., CENTRE] = rows[..., CENTRE] * scale[:, None, None] + offset[:, None]
@@ -287,7 +295,7 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     n = len(azimuth)
     device = azimuth.device
     fov = uniform(azimuth, 0.3, 1.25)
-    fill = torch.where(uniform(azimuth, 0, 1) < 0.15, uniform(azimuth, 0.2, 0.75), uniform(azimuth, -1.15, 0.35))
+    fill = torch.where(uniform(azimuth, 0, 1) < 0.2, uniform(azimuth, 0.2, 0.9), uniform(azimuth, -1.15, 0.35))
     distance = 1 / torch.tan(fov / 2) / torch.exp(fill) + 0.25
     eye = orbit(azimuth, elevation, distance)
     eye[:, 2] = torch.maximum(eye[:, 2], ground + 0.08)
@@ -427,46 +435,6 @@ def crop_camera(cameras, away, size):
     size_at_centre = torch.log(half * unit / CROP_HALF)
     middle = [(half - cameras[:, c]) * unit for c in (CENTRE_X, CENTRE_Y)]
     return torch.stack([size_at_centre, *middle, torch.log(1 / away / CROP_NEARNESS)], 1)
-
-
-def damaged(alpha):
-    """Masks [n, 1, S, S] as a network would find them: a little wide, tight or soft, some cut off at one side."""
-    n, _, size, _ = alpha.shape
-    device = alpha.device
-    soft = F.avg_pool2d(F.pad(alpha, (1, 1, 1, 1)), 3, 1)
-    shift = 0.45 * torch.randn(n, 1, 1, 1, device=device).clamp(-1.5, 1.5)
-    gain = torch.exp(torch.rand(n, 1, 1, 1, device=device) * 1.5)
-    moved = ((soft - 0.5 + 0.5 * shift) * gain + 0.5).clamp(0, 1) * (soft > 0.02)
-    kept = torch.rand(n, 1, 1, 1, device=device) < 0.45
-    mask = torch.where(kept, alpha, moved)
-    centres = (torch.arange(size, device=device) + 0.5) / size
-    side = torch.randint(4, (n, 1, 1, 1), device=device)
-    across, down = centres[None, None, None, :], centres[None, None, :, None]
-    along = torch.where(side == 0, across, torch.where(side == 1, 1 - across, torch.where(side == 2, down, 1 - down)))
-    cut = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.1, torch.rand(n, 1, 1, 1, device=device) * 0.2, -1.0)
-    return mask * (along > cut + 0.06 * (cut > 0))
-
-
-def leaked(photo, mask, alpha, leaky):
-    """Photos [n, 3, S, S] and masks [n, 1, S, S] with a piece of shaded ground beside the subject's foot, where leaky [n].
-
-    The piece lies within a tenth of the picture of the subject's coverage alpha [n, 1, S, S], in its lower part.
-    """
-    n, _, size, _ = alpha.shape
-    device = alpha.device
-    near = F.max_pool2d(F.max_pool2d(alpha, 13, 1, 6), 13, 1, 6) - alpha
-    rows = (torch.arange(size, device=device) + 0.5)[None, None, :, None]
-    foot = torch.where(alpha > 0.1, rows, torch.zeros_like(rows)).amax((2, 3), keepdim=True)
-    head = torch.where(alpha > 0.1, rows, torch.full_like(rows, float(size))).amin((2, 3), keepdim=True)
-    high = torch.rand(n, 1, 1, 1, device=device) * 0.4
-    low = (rows > foot - high * (foot - head)).float()
-    shape = F.interpolate(torch.randn(n, 1, 6, 6, device=device), size=size, mode="bicubic")
-    threshold = torch.rand(n, 1, 1, 1, device=device) * 0.8
-    piece = near.clamp(min=0) * low * torch.sigmoid((shape - threshold) * 20) * leaky[:, None, None, None]
-    grain = F.interpolate(torch.randn(n, 1, 32, 32, device=device), size=size, mode="bilinear")
-    shade = torch.rand(n, 3, 1, 1, device=device) * 0.15 + torch.rand(n, 1, 1, 1, device=device) ** 1.5 * 0.55
-    ground = (shade * (1 + 0.12 * grain)).clamp(0, 1)
-    return photo * (1 - piece) + ground * piece, torch.maximum(mask, piece)
 
 
 def truth_cameras(azimuth, elevation, distance, views):

@@ -7,6 +7,7 @@ import torch.nn.functional as F
 
 from .batches import points, seen_by, staged, taken, uniform
 from .cameras import extent, fixed, magnified
+from .masks import worn
 from .textures import textured
 
 # Of the subjects so many have thin or pierced parts, beyond their share of all objects.
@@ -132,37 +133,3 @@ def coarsened(photo):
         few = F.interpolate(F.avg_pool2d(photo, by), scale_factor=float(by), mode="bilinear")
         photo = torch.where(chance < share, few, photo)
     return photo
-
-
-def worn(rough, alpha):
-    """Rough masks [n, 1, S, S] with the faults that masks of real photos have: worse than those of generated ones.
-
-    Thin parts lost, gaps filled, the edge moved here and there, pieces of what stands beside the subject taken in, or parts
-    of the subject (alpha [n, 1, S, S]) left out.
-    """
-    n, _, size, _ = rough.shape
-    device = rough.device
-
-    def chance(share):
-        return torch.rand(n, 1, 1, 1, device=device) < share
-
-    def field(cells):
-        return F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
-
-    def grown(x, by):
-        return F.max_pool2d(x, 2 * by + 1, 1, by)
-
-    def shrunk(x, by):
-        return -grown(-x, by)
-
-    few = size // 48
-    rough = torch.where(chance(0.25), grown(shrunk(rough, few), few), rough)
-    rough = torch.where(chance(0.15), shrunk(grown(rough, few), few), rough)
-    around = F.avg_pool2d(grown(grown(rough, 12), 12), 9, 1, 4)
-    near = (around - F.avg_pool2d(shrunk(rough, 12), 9, 1, 4)).clamp(0, 1)
-    moved = (rough + 0.7 * field(12) * near).clamp(0, 1)
-    rough = torch.where(chance(0.4), moved, rough)
-    piece = torch.sigmoid((field(7) - 1.0) * 12)
-    rough = torch.where(chance(0.2), torch.maximum(rough, piece * around * 0.9), rough)
-    rough = torch.where(chance(0.2), rough * (1 - torch.sigmoid((field(7) - 1.2) * 12) * alpha), rough)
-    return torch.where(chance(0.3), F.avg_pool2d(F.pad(rough, (4,) * 4, mode="replicate"), 9, 1), rough)

@@ -10,7 +10,7 @@ BACKDROP_CHANCES = [0.16, 0.17, 0.19, 0.05, 0.12, 0.17, 0.14]
 # Earth, tiles, paving, grass, water, planks.
 GROUND_CHANCES = [0.4, 0.1, 0.16, 0.18, 0.06, 0.1]
 # Clear, overcast, low sun, night, studio.
-WEATHER_CHANCES = [0.43, 0.26, 0.15, 0.07, 0.09]
+WEATHER_CHANCES = [0.37, 0.24, 0.15, 0.07, 0.17]
 DAY_CHANCES = [0.68, 0.14, 0.18, 0, 0]
 CLEAR, OVERCAST, LOW_SUN, NIGHT, STUDIO = range(5)
 # Asphalt, two concretes, gravel, sand, soil; linear light.

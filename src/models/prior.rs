@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.2",
-    sha256: "d1fce8853f7be259fde8fe48ea64bedc4557231231e90bd5403a383ad7cec88c",
+    version: "0.3",
+    sha256: "07f6767fe0d7b992bd8ecfc31112f7e8fbfc0db83e0bd3bb22a3e03f9494138a",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 

@@ -1,0 +1,78 @@
+"""Faults that masks of photographs have: what the networks are shown in place of the true ones."""
+
+import torch
+import torch.nn.functional as F
+
+
+def damaged(alpha):
+    """Masks [n, 1, S, S] as a network would find them: a little wide, tight or soft, some cut off at one side."""
+    n, _, size, _ = alpha.shape
+    device = alpha.device
+    soft = F.avg_pool2d(F.pad(alpha, (1, 1, 1, 1)), 3, 1)
+    shift = 0.45 * torch.randn(n, 1, 1, 1, device=device).clamp(-1.5, 1.5)
+    gain = torch.exp(torch.rand(n, 1, 1, 1, device=device) * 1.5)
+    moved = ((soft - 0.5 + 0.5 * shift) * gain + 0.5).clamp(0, 1) * (soft > 0.02)
+    kept = torch.rand(n, 1, 1, 1, device=device) < 0.45
+    mask = torch.where(kept, alpha, moved)
+    centres = (torch.arange(size, device=device) + 0.5) / size
+    side = torch.randint(4, (n, 1, 1, 1), device=device)
+    across, down = centres[None, None, None, :], centres[None, None, :, None]
+    along = torch.where(side == 0, across, torch.where(side == 1, 1 - across, torch.where(side == 2, down, 1 - down)))
+    cut = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.1, torch.rand(n, 1, 1, 1, device=device) * 0.2, -1.0)
+    return mask * (along > cut + 0.06 * (cut > 0))
+
+
+def leaked(photo, mask, alpha, leaky):
+    """Photos [n, 3, S, S] and masks [n, 1, S, S] with a piece of shaded ground beside the subject's foot, where leaky [n].
+
+    The piece lies within a tenth of the picture of the subject's coverage alpha [n, 1, S, S], in its lower part.
+    """
+    n, _, size, _ = alpha.shape
+    device = alpha.device
+    near = F.max_pool2d(F.max_pool2d(alpha, 13, 1, 6), 13, 1, 6) - alpha
+    rows = (torch.arange(size, device=device) + 0.5)[None, None, :, None]
+    foot = torch.where(alpha > 0.1, rows, torch.zeros_like(rows)).amax((2, 3), keepdim=True)
+    head = torch.where(alpha > 0.1, rows, torch.full_like(rows, float(size))).amin((2, 3), keepdim=True)
+    high = torch.rand(n, 1, 1, 1, device=device) * 0.4
+    low = (rows > foot - high * (foot - head)).float()
+    shape = F.interpolate(torch.randn(n, 1, 6, 6, device=device), size=size, mode="bicubic")
+    threshold = torch.rand(n, 1, 1, 1, device=device) * 0.8
+    piece = near.clamp(min=0) * low * torch.sigmoid((shape - threshold) * 20) * leaky[:, None, None, None]
+    grain = F.interpolate(torch.randn(n, 1, 32, 32, device=device), size=size, mode="bilinear")
+    shade = torch.rand(n, 3, 1, 1, device=device) * 0.15 + torch.rand(n, 1, 1, 1, device=device) ** 1.5 * 0.55
+    ground = (shade * (1 + 0.12 * grain)).clamp(0, 1)
+    return photo * (1 - piece) + ground * piece, torch.maximum(mask, piece)
+
+
+def worn(rough, alpha):
+    """Rough masks [n, 1, S, S] with the faults that masks of real photos have: worse than those of generated ones.
+
+    Thin parts lost, gaps filled, the edge moved here and there, pieces of what stands beside the subject taken in, or parts
+    of the subject (alpha [n, 1, S, S]) left out.
+    """
+    n, _, size, _ = rough.shape
+    device = rough.device
+
+    def chance(share):
+        return torch.rand(n, 1, 1, 1, device=device) < share
+
+    def field(cells):
+        return F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
+
+    def grown(x, by):
+        return F.max_pool2d(x, 2 * by + 1, 1, by)
+
+    def shrunk(x, by):
+        return -grown(-x, by)
+
+    few = size // 48
+    rough = torch.where(chance(0.25), grown(shrunk(rough, few), few), rough)
+    rough = torch.where(chance(0.15), shrunk(grown(rough, few), few), rough)
+    around = F.avg_pool2d(grown(grown(rough, 12), 12), 9, 1, 4)
+    near = (around - F.avg_pool2d(shrunk(rough, 12), 9, 1, 4)).clamp(0, 1)
+    moved = (rough + 0.7 * field(12) * near).clamp(0, 1)
+    rough = torch.where(chance(0.4), moved, rough)
+    piece = torch.sigmoid((field(7) - 1.0) * 12)
+    rough = torch.where(chance(0.2), torch.maximum(rough, piece * around * 0.9), rough)
+    rough = torch.where(chance(0.2), rough * (1 - torch.sigmoid((field(7) - 1.2) * 12) * alpha), rough)
+    return torch.where(chance(0.3), F.avg_pool2d(F.pad(rough, (4,) * 4, mode="replicate"), 9, 1), rough)
