@@ -154,7 +154,7 @@ fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dy
     // With few triangles asked for, coarse levels would be next to nothing.
     let worth = |level: &usize| *level == 0 || options.target(*level) >= FEWEST;
     let levels = (0..options.levels).take_while(worth).count();
-    let mut meshes = from_level(0..levels, Simplifier::new(surface), None, solid, options, progress)?;
+    let mut meshes = from_level(0..levels, Simplifier::new(surface), None, (solid, surface), options, progress)?;
     meshes.reverse();
     Ok(meshes)
 }
@@ -164,7 +164,7 @@ fn from_level(
     mut levels: Range<usize>,
     mut simplifier: Simplifier,
     mut coarser: Option<Solid>,
-    solid: &Solid,
+    (solid, finest): (&Solid, &Surface),
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Vec<Mesh>> {
@@ -173,15 +173,89 @@ fn from_level(
     let size = options.texture_size[level];
     let texels = 0.65 * (size as f32).powi(2);
     let caps = (options.vertex_caps[level], options.target(level));
-    let (surface, charts) = fit(&mut simplifier, caps, texels, solid, &mut coarser)?;
+    let (surface, charts) = fit_best(&mut simplifier, caps, texels, solid, &mut coarser, finest)?;
     let packed = || Ok(assemble(&surface, &charts, &pack::pack(&charts, size)?.uv));
-    let next = || from_level(levels, simplifier, coarser, solid, options, progress);
+    let next = || from_level(levels, simplifier, coarser, (solid, finest), options, progress);
     let (mesh, rest) = rayon::join(packed, next);
     let (mesh, mut meshes) = (mesh?, rest?);
     meshes.push(mesh);
     progress.step(level as u64 + 1);
     Ok(meshes)
 }
+
+/// The solid without its thin parts; where it has none, at half the resolution, in which small holes and handles have closed.
+/// `None` where next to nothing would be left.
+fn plainer(solid: &Solid) -> Option<Solid> {
+    let volume = solid.without.clone().unwrap_or_else(|| solid.volume.coarser());
+    if volume.dims.iter().all(|n| *n <= 6) {
+        return None;
+    }
+    let mut plain = Solid { volume, ground: solid.ground, without: None };
+    clean::fill_cavities(&mut plain.volume);
+    if let Some(ground) = plain.ground {
+        clean::cut_below(&mut plain.volume, ground);
+    }
+    Some(plain)
+}
+
+/// Vertices that a shape should have for each of its handles, or they take what the rest of it needs: no collapse may close one,
+/// so that a car whose mirrors leave a gap lost its roof to them.
+const A_HANDLE: usize = 24;
+/// How often a plainer solid is tried.
+const TRIES: usize = 3;
+
+/// Handles of a closed surface in one piece, by its Euler characteristic: 2 − 2 g = V − E + F. Of several pieces less.
+fn handles(surface: &Surface) -> usize {
+    let (v, f) = (surface.positions.len() as isize, surface.triangles.len() as isize);
+    usize::try_from(1 - (v - f / 2) / 2).unwrap_or(0)
+}
+
+/// As [`fit`]. Where handles starve the rest, plainer solids are tried, and what lies nearest to the finest surface in the mean is kept.
+fn fit_best(
+    simplifier: &mut Simplifier,
+    caps: (usize, usize),
+    texels: f32,
+    solid: &Solid,
+    coarser: &mut Option<Solid>,
+    finest: &Surface,
+) -> Result<(Surface, Vec<Chart>)> {
+    let starved = |s: &Surface| s.positions.len() < A_HANDLE * handles(s);
+    let mut best = fit(simplifier, caps, texels, solid, coarser)?;
+    if !starved(&best.0) {
+        return Ok(best);
+    }
+    let whole = Bvh::new(&finest.positions, &finest.triangles);
+    let points = samples(&finest.positions, &finest.triangles, MOST);
+    let off = |s: &Surface| {
+        let there = farthest(&samples(&s.positions, &s.triangles, MOST), &whole).1;
+        there + farthest(&points, &Bvh::new(&s.positions, &s.triangles)).1
+    };
+    let mut least = off(&best.0);
+    let mut next = plainer(coarser.as_ref().unwrap_or(solid));
+    for _ in 0..TRIES {
+        let Some(plain) = next.take() else { break };
+        let surface = closed_surface(&plain);
+        if surface.triangles.len() < 4 {
+            break;
+        }
+        let mut tried = Simplifier::new(&surface);
+        let mut of = Some(plain);
+        let Ok(made) = fit(&mut tried, caps, texels, solid, &mut of) else { break };
+        let enough = !starved(&made.0);
+        next = of.as_ref().and_then(plainer);
+        let error = off(&made.0);
+        if error < least {
+            (least, best, *simplifier, *coarser) = (error, made, tried, of);
+        }
+        if enough {
+            break;
+        }
+    }
+    Ok(best)
+}
+
+/// Points that distances between two surfaces are measured at, of each.
+const MOST: usize = 30_000;
 
 /// Simplifies until what the seams make of the vertices fits `cap`.
 fn fit(
@@ -197,20 +271,12 @@ fn fit(
             && simplifier.vertices_left() > target.max(4)
             && !simplifier.drop_smallest_part()
         {
-            // Too many holes and handles for so few vertices: start from a volume without them, then from one in which they
-            // have closed.
-            let finer = coarser.as_ref().unwrap_or(solid);
-            let half = finer.without.clone().unwrap_or_else(|| finer.volume.coarser());
-            if half.dims.iter().all(|n| *n <= 6) {
+            // Too many holes and handles for so few vertices.
+            let Some(half) = plainer(coarser.as_ref().unwrap_or(solid)) else {
                 return Err(Error::usage("mesh")
                     .expected(format!("a shape that {cap} vertices can hold"))
                     .found(format!("{} vertices that cannot be fewer", simplifier.vertices_left())));
-            }
-            let mut half = Solid { volume: half, ground: finer.ground, without: None };
-            clean::fill_cavities(&mut half.volume);
-            if let Some(ground) = half.ground {
-                clean::cut_below(&mut half.volume, ground);
-            }
+            };
             *simplifier = Simplifier::new(&closed_surface(&half));
             *coarser = Some(half);
         }
@@ -246,7 +312,6 @@ fn stand_on(surface: &mut Surface, ground: f32, near: f32, undersides: f32) {
 
 /// (to the surface: largest and mean; to the next coarser level) of each level.
 fn errors(surface: &Surface, meshes: &[Mesh], bvhs: &[Bvh]) -> Vec<([f32; 2], f32)> {
-    const MOST: usize = 30_000;
     let all = |m: &Mesh| samples(&m.positions, &m.triangles, MOST);
     let whole = Bvh::new(&surface.positions, &surface.triangles);
     let whole_samples = samples(&surface.positions, &surface.triangles, MOST);

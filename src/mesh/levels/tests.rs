@@ -4,7 +4,7 @@ use super::super::{build, raster};
 use super::*;
 use crate::progress::Silent;
 use crate::splat::{Gaussians, render};
-use glam::Mat3;
+use glam::{Mat3, Vec2};
 
 fn quick() -> Options {
     Options {
@@ -230,6 +230,27 @@ fn lattices_fit_small_caps() {
     };
     let options = quick();
     check(&made(&scene, &options), &options);
+}
+
+/// Handles that no collapse can close do not take the vertices of what they are on: without other solids to choose from half of
+/// this box is lost.
+#[test]
+fn a_box_with_handles_keeps_its_corners() {
+    let boxed = scenes::boxed(0.6, 0.35, 0.3).distance;
+    let ring = |p: Vec3| Vec2::new(Vec2::new(p.x, p.z).length() - 0.13, p.y).length() - 0.04;
+    let rings: [Vec3; 6] =
+        std::array::from_fn(|k| Vec3::new(0.3 * (k % 4) as f32 - 0.45, 0.3 * (k / 4) as f32 - 0.15, 0.31));
+    let scene = Scene::new(move |p| rings.iter().map(|r| ring(p - *r)).fold(boxed(p), f32::min));
+    let options = quick();
+    let model = made(&scene, &options);
+    check(&model, &options);
+    assert_eq!(handles(&model.surface), 6);
+    let volume = |level: &Level| {
+        Surface { positions: level.mesh.positions.clone(), triangles: level.mesh.triangles.clone() }.volume()
+    };
+    let (finest, coarsest) = (volume(&model.levels[0]), volume(&model.levels[3]));
+    assert!(coarsest > 0.85 * finest, "{coarsest} of {finest}");
+    assert!(model.levels[3].mean_error < 0.035, "{}", model.levels[3].mean_error);
 }
 
 #[test]
