@@ -241,14 +241,12 @@ fn fit_best(
         let mut tried = Simplifier::new(&surface);
         let mut of = Some(plain);
         let Ok(made) = fit(&mut tried, caps, texels, solid, &mut of) else { break };
-        let enough = !starved(&made.0);
-        next = of.as_ref().and_then(plainer);
+        if starved(&made.0) {
+            next = of.as_ref().and_then(plainer);
+        }
         let error = off(&made.0);
         if error < least {
             (least, best, *simplifier, *coarser) = (error, made, tried, of);
-        }
-        if enough {
-            break;
         }
     }
     Ok(best)
