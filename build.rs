@@ -22,6 +22,7 @@ fn main() {
         ("COMMIT", commit),
         ("DIRTY", dirty.map_or(UNKNOWN.into(), |d| d.to_string())),
         ("RUSTC", rustc.unwrap_or(UNKNOWN.into())),
+        ("PROFILE", profile()),
         ("FEATURES", features()),
         ("TARGET", var("TARGET")),
         ("FIPS_MODULE", fips_module().into()),
@@ -57,8 +58,12 @@ fn source() -> (String, Option<bool>) {
         let changed = git(&[&["status", "--porcelain", "--"][..], &SOURCES].concat())?;
         Some((git(&["rev-parse", "HEAD"])?, Some(!changed.is_empty())))
     };
-    let for_development = env::var("PROFILE").is_ok_and(|p| p == "debug");
-    if for_development { None } else { known() }.unwrap_or((UNKNOWN.into(), None))
+    if profile() == "debug" { None } else { known() }.unwrap_or((UNKNOWN.into(), None))
+}
+
+/// `debug` for development, else `release`.
+fn profile() -> String {
+    env::var("PROFILE").unwrap_or_default()
 }
 
 /// What a program printed; `None` where it is not there or failed.
