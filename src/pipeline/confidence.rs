@@ -87,7 +87,8 @@ mod tests {
     use super::*;
     use crate::models::splat_prior::OneView;
     use crate::photo::{Plane, Rect};
-    use crate::pipeline::{GREY, Settings, Shot, optimise};
+    use crate::pipeline::optimise::{Shot, optimise};
+    use crate::pipeline::{GREY, Settings};
     use crate::progress::Silent;
     use crate::splat::{self, Frame, train::Kept};
     use crate::symmetry::Use;

@@ -2,7 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Clock, Fitted, GREY, Settings, VIEW, VIEW_SIZE, render_all, uncomposited};
+use super::optimise::{trained, uncomposited};
+use super::{Clock, Fitted, GREY, Settings, VIEW, VIEW_SIZE, render_all};
 use crate::bench::{Picture, perception};
 use crate::geo::similarity::Similarity;
 use crate::models::splat_prior::{self, OneView};
@@ -187,7 +188,7 @@ pub fn fit(
     }));
     let settings = &settings_for(settings, training.len());
     let rate = options.searched.then_some(SEARCHED_POSE_RATE);
-    let trained = super::trained(fitter, &one_view.gaussians, &targets, settings, rate, progress)?;
+    let trained = trained(fitter, &one_view.gaussians, &targets, settings, rate, progress)?;
     clock.lap("optimisation");
 
     let scores = |of_held_out: bool| {
