@@ -168,9 +168,14 @@ mod tests {
         );
         let bytes = std::fs::read(std::env::current_exe().unwrap()).unwrap();
         assert_eq!(tool.binary_sha256, Some(super::super::canonical::sha256_hex(&bytes)));
-        // A build for development knows no commit unless it was told.
-        if env!("ORB_BUILD_PROFILE") == "debug" && option_env!("ORB_GIT_COMMIT").is_none() {
-            assert_eq!(tool.git_commit.as_deref(), Some("unknown"));
+        // A build for development knows no commit unless it was told, another one that of its repository, where it is from one.
+        if option_env!("ORB_GIT_COMMIT").is_none() {
+            let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+            let knows = env!("ORB_BUILD_PROFILE") != "debug" && root.join(".git").exists();
+            let head =
+                || std::process::Command::new("git").current_dir(root).args(["rev-parse", "HEAD"]).output().unwrap();
+            let commit = if knows { String::from_utf8(head().stdout).unwrap() } else { "unknown".into() };
+            assert_eq!(tool.git_commit.as_deref(), Some(commit.trim()));
         }
     }
 
