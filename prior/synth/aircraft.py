@@ -104,15 +104,22 @@ def rotorcraft(kit):
     if kit.chance(0.6):
         kit.add(BOX, (-long * 0.1, 0, z + fat * 0.85), (long * 0.5, fat * 0.45, fat * 0.3), (0.8, 0.7), material=skin)
     boom = rng.uniform(1.4, 2.4)
-    tail = np.array([-long * 0.6 - boom, 0, z + rng.uniform(0.1, 0.4)])
+    tail = np.array([-long * 0.6 - boom, 0, z + rng.uniform(0.1, 0.65)])
     lattice = kit.chance(0.15)
     if lattice:
         kit.between((-long * 0.6, 0, z), tail, (0.12, 0.01), BOX, 0.5, material=skin, cut=(LATTICE, 4, 0.2))
-    kit.between((-long * 0.6, 0, z + 0.1), tail, fat * 0.35 if not lattice else 0.03, taper=0.4, material=skin)
+    kit.between((-long * 0.6, 0, z + 0.1), tail, fat * rng.uniform(0.3, 0.6) if not lattice else 0.03, taper=0.4, material=skin)
     fin = rng.uniform(0.4, 0.7)
     kit.add(BOX, tail + [-0.05, 0, fin * 0.4], (0.22, 0.03, fin * 0.6), (0.6, 1), (-0.25, 0), material=skin)
     kit.add(BOX, tail + [0.4, 0, 0], (0.15, rng.uniform(0.3, 0.6), 0.02), material=skin)
-    propeller(kit, tail + [0, 0.08, fin * 0.6], rng.uniform(0.25, 0.4), turn("x", 90), dark)
+    if kit.chance(0.3):
+        # The tail rotor in a duct at the foot of a high fin.
+        duct = fat * rng.uniform(0.5, 0.7)
+        kit.add(TUBE, tail, (duct, duct, 0.08), rotation=turn("x", 90), material=skin)
+        propeller(kit, tail, duct * 0.85, turn("x", 90), dark, 6)
+        kit.add(BOX, tail + [-duct * 0.7, 0, duct + fin * 0.5], (0.25, 0.05, fin * 0.9), (0.55, 1), (-0.35, 0), material=skin)
+    else:
+        propeller(kit, tail + [0, 0.08, fin * 0.6], rng.uniform(0.25, 0.4), turn("x", 90), dark)
     mast = z + fat * rng.uniform(1.2, 1.4)
     kit.between((0, 0, z + fat * 0.5), (0, 0, mast), 0.06, material=dark)
     propeller(kit, (0, 0, mast), long + boom * rng.uniform(0.5, 0.9), np.eye(3), dark)

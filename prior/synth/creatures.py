@@ -149,6 +149,77 @@ def bust(kit):
     kit.add(BALL, (0.02, 0.2, 0.9), (0.05, 0.03, 0.08), material=skin, mirror=True)
 
 
+def animal_bust(kit):
+    """Head and shoulders of dogs, cats, bears, calves, goats: coats of two or three colours, as close-ups show them."""
+    rng = kit.rng
+    fur, second, third = fur_material(kit), fur_material(kit), fur_material(kit)
+    if kit.chance(0.3):
+        second = fur
+    dark = kit.material(dark=True, gloss=0.6, pattern=0)
+    wide, high = rng.uniform(0.26, 0.36), rng.uniform(0.26, 0.38)
+    long = rng.uniform(0.24, 0.34)
+    skull = np.array([rng.uniform(0, 0.25), 0, rng.uniform(0.75, 1.0)])
+    chest = np.array([-0.15, 0, 0.2])
+    kit.add(BALL, chest, (0.38, rng.uniform(0.35, 0.5), rng.uniform(0.4, 0.55)), material=fur)
+    kit.add(BALL, chest + [0.2, 0, 0.1], (0.2, rng.uniform(0.15, 0.3), 0.34), material=second if kit.chance(0.6) else fur)
+    if kit.chance(0.6):
+        kit.add(BALL, chest + [-0.6, 0, rng.uniform(-0.1, 0.2)], (0.6, 0.36, 0.34), material=fur)
+    kit.between(chest + [0, 0, 0.2], skull - [0.03, 0, 0.1], rng.uniform(0.16, 0.26), material=fur)
+    kit.add(BALL, skull, (long, wide, high), material=fur)
+    # The cheeks, the muzzle and the blaze are patches that lie on the skull and reach a little beyond it.
+    cheek = second if kit.chance(0.5) else fur
+    kit.add(BALL, skull + [long * 0.35, wide * 0.55, -high * 0.3], (long * 0.6, wide * 0.55, high * 0.55), material=cheek, mirror=True)
+    if kit.chance(0.5):
+        blaze = third if kit.chance(0.5) else second
+        kit.add(BALL, skull + [long * 0.5, 0, high * 0.4], (long * 0.54, wide * rng.uniform(0.12, 0.4), high * 0.58), material=blaze)
+    if kit.chance(0.3):
+        kit.add(BALL, skull + [long * 0.55, wide * 0.42, high * 0.2], (long * 0.42, wide * 0.35, high * 0.4), material=third)
+    reach = rng.uniform(0.1, 0.6) * rng.choice([0.6, 1])
+    muzzle = second if kit.chance(0.7) else fur
+    root = skull + [long * 0.7, 0, -high * rng.uniform(0.2, 0.45)]
+    tip = root + [reach, 0, -rng.uniform(0, 0.4) * reach]
+    narrow = rng.uniform(0.09, 0.17)
+    kit.chain([root, tip], [narrow * rng.uniform(1.1, 1.6), narrow], muzzle)
+    kit.add(BALL, tip + [0, narrow * 0.5, -narrow * 0.2], (narrow * 0.9, narrow * 0.75, narrow * 0.8), material=muzzle, mirror=True)
+    kit.add(BALL, tip + [narrow * 0.85, 0, narrow * 0.35], (narrow * 0.35, narrow * 0.5, narrow * 0.36), material=dark)
+    if kit.chance(0.3):
+        tongue = kit.material(base=[0.55, 0.2, 0.2], pattern=0, gloss=0.3)
+        kit.add(BALL, tip + [narrow * 0.3, 0, -narrow * 1.2], (narrow * 0.4, narrow * 0.5, narrow), material=tongue)
+    else:
+        kit.add(BALL, tip + [narrow * 0.3, 0, -narrow * 0.85], (narrow * 0.6, narrow * 0.8, narrow * 0.3), material=dark)
+    eye = rng.uniform(0.025, 0.06)
+    iris = kit.material(gloss=0.6, pattern=0) if kit.chance(0.6) else dark
+    at = skull + [long * 0.82, wide * rng.uniform(0.38, 0.6), high * rng.uniform(0.05, 0.3)]
+    kit.add(BALL, at, (eye, eye, eye), material=iris, mirror=True)
+    kit.add(BALL, at + [eye * 0.5, 0, 0], (eye * 0.6,) * 3, material=dark, mirror=True)
+    ear = rng.uniform(0.12, 0.45)
+    hang = rng.choice([-1, 0.2, 1, 1])
+    base = skull + [-0.02, wide * rng.uniform(0.6, 0.9), high * rng.uniform(0.6, 0.85)]
+    aside = rng.uniform(0.1, 0.6) if hang > 0 else rng.uniform(0.3, 0.6)
+    end = base + [rng.uniform(-0.05, 0.1), aside * ear, hang * ear]
+    kit.chain([base, end], [ear * 0.34, ear * rng.uniform(0.08, 0.3)], third if kit.chance(0.4) else fur, mirror=True)
+    if hang > 0 and kit.chance(0.6):
+        inner = kit.material(base=[0.5, 0.3, 0.26], pattern=0)
+        kit.between(base + [ear * 0.24, 0, 0.02], end * 0.8 + base * 0.2 + [ear * 0.1, 0, 0], ear * 0.16, taper=0.3, material=inner, mirror=True)
+    if kit.chance(0.2):
+        horn = base + [rng.uniform(-0.2, 0.05), rng.uniform(-0.05, 0.3), rng.uniform(0.2, 0.7)]
+        kit.chain([base + [0.05, -0.06, 0.05], horn], [0.05, 0.02], kit.material(base=[0.35, 0.28, 0.2], pattern=0), mirror=True)
+    if kit.chance(0.25):
+        kit.add(CYL, chest + [0.08, 0, 0.42], (0.24, 0.24, 0.04), (0.9, 1), rotation=turn("y", 20), material=kit.material())
+
+
+def markings(kit, place, half):
+    """Patches on a body, an ellipsoid of half sizes `half` at `place`: a coat of more than one colour."""
+    rng = kit.rng
+    patch = fur_material(kit)
+    for _ in range(rng.integers(1, 4)):
+        direction = rng.normal(size=3)
+        direction /= np.linalg.norm(direction)
+        size = rng.uniform(0.35, 0.75)
+        # It reaches beyond the body by a twentieth.
+        kit.add(BALL, place + direction * half * (1.05 - size), half * size, material=patch)
+
+
 def sitting(kit):
     """Dogs, cats, hares, bears on their haunches: the back slopes, the forelegs stand."""
     rng = kit.rng
@@ -169,17 +240,24 @@ def sitting(kit):
     thigh = rump + [fat * 0.5, fat * 0.85, -fat * 0.25]
     kit.add(BALL, thigh, (fat * 0.8, fat * 0.4, fat * 0.75), material=fur, mirror=True)
     kit.add(BALL, (thigh[0] + fat * 0.7, thigh[1] + fat * 0.1, leg * 0.7), (leg * 2.4, leg, leg * 0.7), material=second, mirror=True)
+    if kit.chance(0.4):
+        markings(kit, (rump + chest) / 2, np.array([fat, fat * 0.87, long * 0.6]))
+    if kit.chance(0.35):
+        kit.add(BALL, chest + [fat * 0.45, 0, -fat * 0.3], (fat * 0.55, fat * 0.5, fat * 0.9), material=second)
     neck = chest + [rng.uniform(0, 0.15), 0, fat * rng.uniform(0.9, 1.6)]
     kit.chain([chest + [0, 0, fat * 0.3], neck], [fat * 0.75, fat * 0.5], fur)
     head = fat * rng.uniform(0.55, 0.85)
     kit.add(BALL, neck + [head * 0.25, 0, head * 0.3], (head * 1.05, head * 0.9, head * 0.85), material=fur)
     snout = head * rng.uniform(0.3, 1.2)
-    kit.chain([neck + [head * 0.7, 0, head * 0.15], neck + [head * 0.8 + snout, 0, head * rng.uniform(-0.2, 0.1)]], [head * 0.5, head * 0.32], second)
+    nose = neck + [head * 0.8 + snout, 0, head * rng.uniform(-0.2, 0.1)]
+    kit.chain([neck + [head * 0.7, 0, head * 0.15], nose], [head * 0.5, head * 0.32], second)
     ear = head * rng.uniform(0.3, 1.3)
     hang = rng.choice([-1, 1, 1])
     kit.add(BALL, neck + [0, head * 0.7, head * 0.7 + hang * ear * 0.5], (ear * 0.2, ear * 0.4, ear), rotation=turn("x", -20), material=second, mirror=True)
     dark = kit.material(dark=True, gloss=0.5)
     kit.add(BALL, neck + [head * 1.05, head * 0.4, head * 0.55], (head * 0.12,) * 3, material=dark, mirror=True)
+    if kit.chance(0.7):
+        kit.add(BALL, nose + [head * 0.27, 0, head * 0.1], (head * 0.13, head * 0.2, head * 0.13), material=dark)
     tail = rng.uniform(0.2, 0.7)
     kit.chain([rump + [-fat * 0.8, 0, -fat * 0.6], (-fat - tail, rng.uniform(-0.2, 0.2), rng.uniform(0.05, 0.4))], [fat * 0.2, fat * 0.1], second)
 
@@ -199,6 +277,9 @@ def quadruped(kit):
     kit.add(BALL, (0, 0, z), (long, fat * 0.85, fat), material=fur)
     kit.add(BALL, (long * 0.6, 0, z + 0.03), (long * 0.4, fat * 0.85, fat * 1.02), material=fur)
     kit.add(BALL, (-long * 0.6, 0, z + 0.02), (long * 0.4, fat * 0.88, fat * 1.05), material=fur)
+    if kit.chance(0.4):
+        markings(kit, np.array([0, 0, z]), np.array([long, fat * 0.87, fat]))
+    socks = second if kit.chance(0.4) else fur
     lying = kit.chance(0.1)
     stride = rng.uniform(-0.2, 0.2)
     for x in (-0.65, 0.65):
@@ -207,7 +288,8 @@ def quadruped(kit):
             knee = (x * long + swing * 0.6, side * fat * 0.55, tall * 0.5)
             foot = (x * long + swing, side * fat * 0.55, leg * 0.6)
             if not lying:
-                kit.chain([(x * long, side * fat * 0.5, z), knee, foot], [leg * 1.4, leg, leg * 0.8], fur)
+                kit.chain([(x * long, side * fat * 0.5, z), knee], [leg * 1.4, leg], fur)
+                kit.chain([knee, foot], [leg, leg * 0.8], socks)
     neck = rng.uniform(0.2, 1.2) * rng.choice([0.6, 1])
     up = rng.uniform(20, 75)
     start = np.array([long * 0.85, 0, z + fat * 0.3])
@@ -216,11 +298,14 @@ def quadruped(kit):
     head = fat * rng.uniform(0.45, 0.8)
     kit.add(BALL, end + [head * 0.3, 0, 0], (head * 1.1, head * 0.8, head * 0.8), material=fur)
     snout = head * rng.uniform(0.5, 1.4)
-    kit.chain([end + [head * 0.6, 0, -head * 0.1], end + [head * 0.7 + snout, 0, -head * 0.45]], [head * 0.55, head * 0.36], second)
+    nose = end + [head * 0.7 + snout, 0, -head * 0.45]
+    kit.chain([end + [head * 0.6, 0, -head * 0.1], nose], [head * 0.55, head * 0.36], second)
     ear = head * rng.uniform(0.25, 0.9)
     kit.add(BALL, end + [0, head * 0.65, head * 0.7], (ear * 0.25, ear * 0.5, ear), rotation=turn("x", -25), material=second, mirror=True)
     dark = kit.material(dark=True, gloss=0.5)
     kit.add(BALL, end + [head * 0.95, head * 0.5, head * 0.25], (head * 0.13,) * 3, material=dark, mirror=True)
+    if kit.chance(0.7):
+        kit.add(BALL, nose + [head * 0.3, 0, head * 0.08], (head * 0.14, head * 0.2, head * 0.14), material=dark)
     if kit.chance(0.25):
         kit.chain([end + [0, head * 0.4, head * 0.7], end + [0.1, head * 1.1, head * 1.5]], [head * 0.12, head * 0.05], dark, mirror=True)
     tail = rng.uniform(0.2, 0.9)

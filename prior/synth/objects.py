@@ -8,7 +8,7 @@ import numpy as np
 from .aircraft import jet, rocket, rotorcraft
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship, trawler
-from .creatures import bird, bust, person, quadruped, soft_toy
+from .creatures import animal_bust, bird, bust, person, quadruped, soft_toy
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
 from .homes import eaved_house, open_shed, play_tower
@@ -86,6 +86,7 @@ MAKERS = [
     (figure, 2),
     (person, 9),
     (bust, 3),
+    (animal_bust, 6),
     (soft_toy, 11),
     (quadruped, 9),
     (bird, 4),
