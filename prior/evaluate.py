@@ -75,7 +75,7 @@ def joined(scene, splat):
 
 
 def crop(photo, mask):
-    """The square around the mask on grey with the mask itself, [1, 4, 128, 128]; None if there is no subject."""
+    """The square around the mask on grey with the mask itself, [1, 4, 256, 256]; None if there is no subject."""
     rows, columns = torch.where(mask > 0.5)
     if len(rows) < 50:
         return None

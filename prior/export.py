@@ -50,7 +50,7 @@ class Detail(torch.nn.Module):
 
 
 class Splat(torch.nn.Module):
-    """rgba [1, 4, 128, 128] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
+    """rgba [1, 4, 256, 256] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
 
     def __init__(self, net):
         super().__init__()

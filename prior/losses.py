@@ -5,7 +5,7 @@ import math
 import torch
 import torch.nn.functional as F
 
-from nets import CROP_HALF, CROP_NEARNESS, SplatNet
+from nets import CROP_HALF, CROP_NEARNESS, SplatNet, halved
 from synth.batches import scene_batch, splat_batch
 from synth.cameras import fixed
 from synth.details import detail_batch
@@ -174,9 +174,9 @@ def splat_step(net, pool, n, heed=None):
         "el_deg": off,
     }
     if heed:
-        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), batch.rgba, loss, batch.dressed)
+        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), halved(batch.rgba), loss, batch.dressed)
         loss = loss + asked
-    columns = [batch.rgba[:, :3], *truth.unbind(1), *answer.unbind(1)]
+    columns = [halved(batch.rgba[:, :3]), *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns
 
 
@@ -205,7 +205,7 @@ def error_step(net, pool, n):
     variance = (weight * (error - middle) ** 2).sum() / weight.sum().clamp(min=1)
     figures = {"error": middle, "explained": 1 - loss.detach() / variance.clamp(min=1e-6)}
     heat = [plane.expand(-1, 3, -1, -1) * 2 for plane in (*error.unbind(1), *(expected * alpha).detach().unbind(1))]
-    return 100 * loss, figures, [batch.rgba[:, :3], *heat]
+    return 100 * loss, figures, [halved(batch.rgba[:, :3]), *heat]
 
 
 def brought_home(splats, batch):
@@ -286,7 +286,7 @@ def front_depth_loss(depth, batch):
 
 def front_seen(batch):
     """Where the crop shows the subject and the mask has it, [n, S, S]."""
-    return (batch.front > 0) & (batch.rgba[:, 3] > 0.5) & ~batch.empty[:, None, None]
+    return (batch.front > 0) & (halved(batch.rgba)[:, 3] > 0.5) & ~batch.empty[:, None, None]
 
 
 @torch.no_grad()

@@ -85,8 +85,9 @@ class UNet(nn.Module):
             last = width
         self.head = nn.Conv2d(last, cout, 1)
 
-    def forward(self, x):
-        x = self.stem(x)
+    def forward(self, x, beside=0):
+        """`beside` [B, widths[0], S, S]: what is known at each pixel from elsewhere, added to the stem's features."""
+        x = self.stem(x) + beside
         skips = []
         for i, down in enumerate(self.down):
             x = down(x if i == 0 else F.avg_pool2d(x, 2))
@@ -102,6 +103,25 @@ class UNet(nn.Module):
                 x = F.interpolate(x, scale_factor=2.0, mode="nearest")
             x = up(torch.cat([x, skips[-1 - i]], 1))
         return self.head(x), tokens.mean(1), x
+
+
+def halved(x):
+    """[B, C, 2 S, 2 S] -> [B, C, S, S]: the means of 2 x 2 pixels."""
+    return F.avg_pool2d(x, 2)
+
+
+def fine_stem(cin, width):
+    """Pixels finer than the U-Net's, [B, cin, 2 S, 2 S], to features of its pixels [B, width, S, S]; they start at 0."""
+    layers = nn.Sequential(
+        nn.Conv2d(cin, 16, 3, padding=1),
+        nn.SiLU(),
+        nn.Conv2d(16, 64, 4, stride=2, padding=1),
+        nn.SiLU(),
+        nn.Conv2d(64, width, 3, padding=1),
+    )
+    nn.init.zeros_(layers[-1].weight)
+    nn.init.zeros_(layers[-1].bias)
+    return layers
 
 
 def level(cin, width, blocks):
@@ -176,7 +196,9 @@ class ErrorHead(nn.Module):
 
 
 class SplatNet(nn.Module):
-    """Subject on grey 0.5 and its mask, [B, 4, 128, 128] -> Gaussians in the canonical camera and its elevation.
+    """Subject on grey 0.5 and its mask, [B, 4, 256, 256] -> Gaussians in the canonical camera and its elevation.
+
+    The Gaussians lie on a grid of 128 x 128, half as fine as the picture; below, a pixel is one of this grid.
 
     The canonical camera has OpenCV axes (x right, y down, z forward) and a field of view of `FOV` radians; the
     subject's bounding sphere has radius 1 and lies at (0, 0, `DIST`). The photo's camera looks the same way from
@@ -189,7 +211,8 @@ class SplatNet(nn.Module):
     Gaussian, 0..1 (`losses.error_step`).
     """
 
-    SIZE = 128
+    SIZE = 256
+    GRID = 128
     FOV = math.radians(30)
     DIST = 3.9
     # Channels a Gaussian: depth 1, offset 3, opacity 1, scale 3, quaternion 4, colour 3.
@@ -202,13 +225,15 @@ class SplatNet(nn.Module):
         self.el = head(256, 2)
         self.camera = head(256, 4)
         self.er = ErrorHead(48, 256, layers)
+        self.fine = fine_stem(4, 48)
         with torch.no_grad():
             self.net.head.weight *= 0.3
             self.net.head.bias.zero_()
 
     def forward(self, x):
-        signed = torch.cat([x[:, :3] * 2 - 1, x[:, 3:] * 2 - 1], 1)
-        y, mean_token, features = self.net(signed)
+        fine = self.fine(x * 2 - 1)
+        x = halved(x)
+        y, mean_token, features = self.net(x * 2 - 1, fine)
         error = self.er(features, mean_token).float()
         y = y.float()
         mean_token = mean_token.float()
@@ -295,7 +320,7 @@ def grown(net, state):
     state = dict(state)
     fresh = net.state_dict()
     for name, value in fresh.items():
-        if name.startswith(("el.", "camera.", "er.")):
+        if name.startswith(("el.", "camera.", "er.", "fine.")):
             if name not in state:
                 state[name] = value.clone()
             elif len(state[name]) < len(value):

@@ -149,6 +149,15 @@ def generated_inputs(which, pool, batches, batch=32, masks=None):
             yield splat_batch(pool, batch, SplatNet.FOV, SplatNet.DIST, views=2).rgba
 
 
+def as_taken_now(example, which):
+    """An input of an older version of network `which` as this one takes it."""
+    if which == "scene" and example.shape[1] == 3:  # 0.1 took no point
+        return F.pad(example, (0, 0, 0, 0, 0, 1))
+    if which == "splat" and example.shape[3] < SplatNet.SIZE:  # up to 0.7 crops were as coarse as the Gaussians
+        return F.interpolate(example, scale_factor=2.0)
+    return example
+
+
 def compare(which, net, path, seed=0):
     """Print the largest difference of every output between `net` and ONNX Runtime on one input."""
     try:
@@ -159,8 +168,7 @@ def compare(which, net, path, seed=0):
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
     (source,) = session.get_inputs()
     example = torch.rand(source.shape, generator=torch.Generator().manual_seed(seed))
-    # Version 0.1 took no point.
-    ours_too = F.pad(example, (0, 0, 0, 0, 0, 1)) if which == "scene" and source.shape[1] == 3 else example
+    ours_too = as_taken_now(example, which)
     wrapped = WRAPPERS[which](net.cpu().float()).eval()
     with torch.no_grad():
         ours = wrapped(ours_too)

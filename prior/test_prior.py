@@ -155,7 +155,7 @@ def test_networks_compute_what_the_shipped_files_compute(which):
     (source,) = session.get_inputs()
     example = torch.rand(source.shape, generator=torch.Generator().manual_seed(0))
     with torch.no_grad():
-        ours = restore.WRAPPERS[which](net).eval()(example)
+        ours = restore.WRAPPERS[which](net).eval()(restore.as_taken_now(example, which))
     theirs = session.run(None, {source.name: example.numpy()})
     for a, b in zip(ours, theirs, strict=False):
         # SplatNet 0.2 gave an elevation without its spread, and no camera.
@@ -191,7 +191,7 @@ def test_an_answer_of_wrong_size_and_distance_is_brought_home():
     batch = SimpleNamespace(
         camera=true_camera,
         front=(middle + relief)[:, 0, 0],
-        rgba=torch.ones(2, 4, size, size),
+        rgba=torch.ones(2, 4, 2 * size, 2 * size),
         empty=torch.zeros(2, dtype=torch.bool),
     )
     home = brought_home(answer, batch)

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
-from nets import CROP_HALF, CROP_NEARNESS
+from nets import CROP_HALF, CROP_NEARNESS, halved
 
 from .cameras import crop, extent, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
@@ -37,7 +37,7 @@ from .layout import (
     SUBJECT,
     TAPER,
 )
-from .lens import defocused, exposed, stored
+from .lens import coarsened, defocused, exposed, stored
 from .masks import damaged, leaked
 from .objects import COMPANIONS, SLENDER, make_object
 from .raycast import cast
@@ -348,7 +348,7 @@ def point_map(x, y, size):
 class SplatBatch(NamedTuple):
     """What SplatNet sees and what it should have answered.
 
-    rgba [n, 4, S, S]: subject on grey and mask. views [n, V, 4, 4]: from the canonical camera's frame to each truth
+    rgba [n, 4, 2 S, 2 S]: subject on grey and mask. views [n, V, 4, 4]: from the canonical camera's frame to each truth
     view; the first one is the canonical camera itself. lenses [n, V, 3]: focal length and middle of each view's picture,
     pixels. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
     [n, V, 1, S, S]. front [n, S, S]: canonical depth of what the crop shows, 0 where that is nothing. camera [n, 4] of
@@ -368,8 +368,9 @@ class SplatBatch(NamedTuple):
     dressed: int
 
 
-def splat_batch(pool, n, fov, distance, size=128, views=4):
-    """Crops of subjects photographed anyhow, and `views` truth views by cameras of `fov` radians at `distance`."""
+def splat_batch(pool, n, fov, distance, size=256, views=4):
+    """Crops of `size` pixels of subjects photographed anyhow, and `views` truth views, half as large, by cameras of `fov`
+    radians at `distance`."""
     device = pool.prims.device
     chosen = torch.randint(len(pool.prims), (n,), device=device)
     prims = recolour(pool.prims[chosen])
@@ -396,18 +397,20 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
     camera = crop_camera(cameras, away, size)
     front = torch.where(front > 0, front + (distance - away)[:, None, None], front)
     alpha = alpha[:, None]
-    mask = damaged(alpha)
+    rough = F.interpolate(damaged(halved(alpha)), scale_factor=2.0, mode="bilinear")
+    mask = torch.where(uniform(chosen, 0, 1)[:, None, None, None] < 0.5, rough, damaged(alpha))
     backdrop = torch.rand(n, 3, 1, 1, device=device) + 0.2 * (torch.rand(n, 3, size, size, device=device) - 0.5)
     # Its colours stay: the answer is to look like the photo.
     photo = composed(rgb, alpha, backdrop.clamp(0, 1))
     dressed = n // DRESSED
     photo[:dressed] = textured(photo[:dressed], alpha[:dressed, 0], front[:dressed], pool.textures)
-    photo, mask = leaked(photo, mask, alpha, leaky)
+    photo, mask = leaked(coarsened(photo), mask, alpha, leaky)
     photo = stored(photo)
     rgba = torch.cat([photo * mask + GREY * (1 - mask), mask], 1)
 
     canonical = look_at(orbit(azimuth, elevation, torch.full_like(azimuth, distance)))
     rotation, translation = truth_cameras(azimuth, elevation, distance, views)
+    size //= 2
     truth_fov = torch.full((n * views,), fov, device=device)
     cameras = pack(rotation.reshape(-1, 3, 3), translation.reshape(-1, 3), truth_fov, size, subject_only=True)
     closer(cameras, size, views)
@@ -420,12 +423,19 @@ def splat_batch(pool, n, fov, distance, size=128, views=4):
         lenses=cameras[:, [FOCAL.start, CENTRE_X, CENTRE_Y]].reshape(n, views, 3),
         colour=premultiplied(rgb, truth_alpha),
         alpha=truth_alpha,
-        front=front,
+        front=nearest(front),
         camera=camera,
         elevation=elevation,
         empty=empty,
         dressed=dressed,
     )
+
+
+def nearest(depth):
+    """Depths [n, 2 S, 2 S] -> [n, S, S]: of 2 x 2 pixels the nearest, 0 where there is nothing."""
+    far = 1e9
+    least = -F.max_pool2d(-torch.where(depth > 0, depth, torch.full_like(depth, far)), 2)
+    return torch.where(least < far, least, torch.zeros_like(least))
 
 
 def crop_camera(cameras, away, size):

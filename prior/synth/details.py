@@ -7,6 +7,7 @@ import torch.nn.functional as F
 
 from .batches import points, seen_by, staged, taken, uniform
 from .cameras import extent, fixed, magnified
+from .lens import coarsened
 from .masks import worn
 from .textures import textured
 
@@ -124,12 +125,3 @@ def cut_out(mask, box, seen, size):
     theta[:, 0, 0], theta[:, 1, 1], theta[:, :, 2] = half[:, 0], half[:, 1], middle
     grid = F.affine_grid(theta, (len(mask), 1, size, size), align_corners=False)
     return F.grid_sample(mask, grid, mode="bilinear", padding_mode="border", align_corners=False)
-
-
-def coarsened(photo):
-    """Some photos [n, 3, S, S] with half or a third of their pixels: a small or distant subject."""
-    chance = torch.rand(len(photo), 1, 1, 1, device=photo.device)
-    for share, by in ((0.4, 2), (0.15, 3)):
-        few = F.interpolate(F.avg_pool2d(photo, by), scale_factor=float(by), mode="bilinear")
-        photo = torch.where(chance < share, few, photo)
-    return photo

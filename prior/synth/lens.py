@@ -74,6 +74,16 @@ def stored(photo):
     return torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.3, compressed(photo), photo).clamp(0, 1)
 
 
+def coarsened(photo):
+    """Some photos [n, 3, S, S] with half or a third of their pixels: a small or distant subject."""
+    chance = torch.rand(len(photo), 1, 1, 1, device=photo.device)
+    for share, by in ((0.4, 2), (0.15, 3)):
+        few = F.interpolate(photo, size=photo.shape[-1] // by, mode="area")
+        few = F.interpolate(few, size=photo.shape[-1], mode="bilinear")
+        photo = torch.where(chance < share, few, photo)
+    return photo
+
+
 def vignette(n, size, device):
     """Fall-off of light towards the corners, [n, 1, S, S]."""
     across = torch.linspace(-1, 1, size, device=device)

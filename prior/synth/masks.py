@@ -29,7 +29,9 @@ def leaked(photo, mask, alpha, leaky):
     """
     n, _, size, _ = alpha.shape
     device = alpha.device
-    near = F.max_pool2d(F.max_pool2d(alpha, 13, 1, 6), 13, 1, 6) - alpha
+    reach = size * 6 // 128
+    wider = F.max_pool2d(alpha, 2 * reach + 1, 1, reach)
+    near = F.max_pool2d(wider, 2 * reach + 1, 1, reach) - alpha
     rows = (torch.arange(size, device=device) + 0.5)[None, None, :, None]
     foot = torch.where(alpha > 0.1, rows, torch.zeros_like(rows)).amax((2, 3), keepdim=True)
     head = torch.where(alpha > 0.1, rows, torch.full_like(rows, float(size))).amin((2, 3), keepdim=True)

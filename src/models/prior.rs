@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.7.1",
-    sha256: "47882730d03357c086a03e285d10d0b3811cf9362a043b7953efbf6d7675242c",
+    version: "0.8",
+    sha256: "a591d0b38520a6347cf7d6c49680396e4792d94158446ed86de84ae37218375e",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

@@ -14,8 +14,10 @@ use glam::Vec3;
 use image::RgbImage;
 
 /// Of the network's square input.
-const SIZE: usize = 128;
-const COUNT: usize = 2 * SIZE * SIZE;
+const SIZE: usize = 256;
+/// Of the square grid that the Gaussians lie on, two a cell.
+const GRID: usize = 128;
+const COUNT: usize = 2 * GRID * GRID;
 /// The subject's bounding box takes this part of the crop's side.
 pub const FILL: f32 = 0.88;
 /// Eye to the subject's centre, in bounding-sphere radii.
@@ -26,7 +28,7 @@ pub const FOV: f32 = std::f32::consts::PI / 6.0;
 /// what the pictures blurred Gaussians with that version 0.6 learned by, √0.3 pixels (Kerbl et al. 2023) of 128 over [`FOV`], at
 /// [`DISTANCE`]. 0.7 is the mean of 0.6 and of weights that learned by pictures true to size; half is the better of half and
 /// whole on the five of `samples/truth`.
-const BLUR: f32 = 0.5 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / SIZE as f32;
+const BLUR: f32 = 0.5 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / GRID as f32;
 /// The mean error of the network's elevation on 36 photos of the development set, in the spread that it tells: it learned what
 /// to expect on its own generator's objects.
 const OVERCONFIDENT: f32 = 1.8;
@@ -104,7 +106,7 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
             .found("nothing that the network could lift to three dimensions")
             .advice("Use a sharper photo with the whole subject in view."));
     }
-    let size = (crop.width.round() as usize).clamp(SIZE, LARGEST_CROP);
+    let size = (crop.width.round() as usize).clamp(GRID, LARGEST_CROP);
     let mask = crop_mask(subject, crop, size);
     let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &crop_camera(elevation, &stands, size as u32), &mask);
     let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
@@ -209,7 +211,7 @@ impl Canonical {
             sh[0] = ((triple(&self.color, i) - 0.5) / SH_C0).to_array();
             g.sh.push(sh);
         }
-        let camera = canonical_camera(elevation, SIZE as u32);
+        let camera = canonical_camera(elevation, GRID as u32);
         g.transformed(camera.rotation.transpose(), 1.0, camera.position())
     }
 }
@@ -274,7 +276,7 @@ mod tests {
         let down = canonical_camera(e, 8).rotation.transpose() * Vec3::Y;
         assert!((long - down).length() < 1e-5, "{long} {down}");
         assert!((g.log_scales[0] - Vec3::new(0.1, 0.02, 0.03).map(|s| s.hypot(BLUR).ln())).length() < 1e-5);
-        assert!((2.0 * BLUR - 0.3f32.sqrt() * 2.0 * DISTANCE * (FOV / 2.0).tan() / SIZE as f32).abs() < 1e-6);
+        assert!((2.0 * BLUR - 0.3f32.sqrt() * 2.0 * DISTANCE * (FOV / 2.0).tan() / GRID as f32).abs() < 1e-6);
     }
 
     #[test]
@@ -331,7 +333,7 @@ mod tests {
             self.0.clone()
         }
         fn run(&self, _: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
-            let at = |i: usize| [(i % SIZE) as f32 / 128.0 - 0.5, (i / SIZE % SIZE) as f32 / 128.0 - 0.5, DISTANCE];
+            let at = |i: usize| [(i % GRID) as f32 / 128.0 - 0.5, (i / GRID % GRID) as f32 / 128.0 - 0.5, DISTANCE];
             let values = |name: &str| -> Vec<f32> {
                 match name {
                     "position" => (0..COUNT).flat_map(at).collect(),
