@@ -4,6 +4,19 @@
 //! [`photo`] → [`models`] → [`views`] → [`splat`] → [`mesh`] → [`geo`] → `orb_formats` → [`audit`] → published folder.
 //! [`pipeline`] reads like that line.
 
+// A panic on input is a fault of the program: what can fail says so.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo,
+        clippy::unimplemented
+    )
+)]
+
 pub mod audit;
 pub mod bench;
 pub mod cli;

@@ -2,6 +2,19 @@
 //!
 //! Writers return bytes or [`File`]s; nothing here touches a disk.
 
+// A panic on input is a fault of the program: what can fail says so.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo,
+        clippy::unimplemented
+    )
+)]
+
 pub mod asset;
 pub mod cdb;
 pub mod collada;
