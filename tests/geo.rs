@@ -137,6 +137,12 @@ fn the_provenance_of_the_texture_lies_beside_the_model() {
     let seen: f64 = record["predicate"]["params"]["texture_seen"].as_str().unwrap().parse().unwrap();
     // The picture also has the texels between the charts, in the colours of those beside them.
     assert!((seen - most[1] as f64 / all as f64).abs() < 0.12, "{seen} by the record, {most:?} of {all}");
+    // The plane that was mirrored at, by all that it was judged by: it lies along the car, and each side meets the other.
+    let params = &record["predicate"]["params"];
+    assert_eq!(params["symmetry_basis"], "evident");
+    let number = |name: &str| params[name].as_str().unwrap().parse::<f64>().unwrap();
+    assert!((0.3..1.0).contains(&number("symmetry_extent_across_over_along")), "{params}");
+    assert!((0.0..0.01).contains(&number("symmetry_far_from_its_image")), "{params}");
 }
 
 /// A network may say how far its colours are off; 0.7 as it first came did not.

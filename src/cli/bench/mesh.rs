@@ -152,7 +152,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         "symmetry": done.symmetry.iter().map(|found @ Found { fit: f, basis }| json!({
             "used": found.used(), "basis": basis.map(Basis::label), "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape,
             "contradicted": f.contradicted, "color": f.color, "pairs": f.pairs, "hidden": f.hidden,
-            "silhouette": f.silhouette })).collect::<Vec<_>>(),
+            "silhouette": f.silhouette, "elongation": f.elongation, "stray": f.stray })).collect::<Vec<_>>(),
         "mesh": scores(&shape),
         "gaussians": scores(&gaussians),
         "opacity_level_set": scores(&Shape::of_surface(&opacity)),

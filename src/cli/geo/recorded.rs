@@ -110,6 +110,8 @@ pub fn params(
         add(&format!("{which}_contradicted"), share(fit.contradicted));
         add(&format!("{which}_colour_difference"), share(fit.color));
         add(&format!("{which}_silhouette_iou"), share(fit.silhouette));
+        add(&format!("{which}_extent_across_over_along"), share(fit.elongation));
+        add(&format!("{which}_far_from_its_image"), share(fit.stray));
     }
     add("expected_colour_error", done.expected_error.as_ref().and_then(|e| share(e.mean)));
     add("mask_expected_iou", done.subject.expected_iou.and_then(share));
