@@ -1,26 +1,57 @@
-"""Average two versions of a network, one trained on from the other: often better on what neither has seen than either.
+"""The weighted mean of a network's versions that were trained on from one another: often better on what none has seen than any.
 
-    python average.py {scene|detail|splat} A B WEIGHTS.pt
+    python average.py {scene|detail|splat} OUT.pt [SHARE:]A [SHARE:]B ...
 
-A and B: both .onnx, where batch norms are folded, or both .pt of trainings that began alike. For export.py and evaluate.py.
+A, B, ...: .onnx or .pt of a training, in any mixture; every file's batch norms are folded into the convolutions before them, as the
+export does. Without shares all count alike. For export.py and evaluate.py.
 """
 
 import argparse
 
 import torch
 
-from nets import NETS, load_weights
+from nets import NETS, Res, load_weights
+
+
+def folded(net):
+    """The network's state with batch norms that only add a bias: the same function (see `restore.passing_norm`)."""
+    state = {name: value.clone() for name, value in net.state_dict().items()}
+    for name, block in net.named_modules():
+        if not isinstance(block, Res):
+            continue
+        for conv, norm in (("a", block.n), ("b", block.m)):
+            at = f"{name}.{'n' if conv == 'a' else 'm'}."
+            gain = norm.weight / (norm.running_var + norm.eps).sqrt()
+            state[f"{name}.{conv}.weight"] *= gain[:, None, None, None]
+            state[at + "bias"] = norm.bias - norm.running_mean * gain
+            state[at + "weight"] = torch.full_like(gain, 1 + norm.eps).sqrt()
+            state[at + "running_mean"] = torch.zeros_like(gain)
+            state[at + "running_var"] = torch.ones_like(gain)
+    return state
+
+
+def averaged(states, shares):
+    """The mean of states by `shares`, which need not add up to 1."""
+    total = sum(shares)
+    first = states[0]
+    return {
+        name: sum(s[name] * (share / total) for s, share in zip(states, shares, strict=True))
+        if first[name].is_floating_point()
+        else first[name]
+        for name in first
+    }
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("net", choices=sorted(NETS))
-    parser.add_argument("a")
-    parser.add_argument("b")
     parser.add_argument("weights")
+    parser.add_argument("versions", nargs="+")
     args = parser.parse_args()
-    a, b = (load_weights(NETS[args.net](), path).state_dict() for path in (args.a, args.b))
-    torch.save({name: (a[name] + b[name]) / 2 if a[name].is_floating_point() else a[name] for name in a}, args.weights)
+    pairs = [v.split(":", 1) if ":" in v else ("1", v) for v in args.versions]
+    with torch.no_grad():
+        states = [folded(load_weights(NETS[args.net](), path)) for _, path in pairs]
+        torch.save(averaged(states, [float(share) for share, _ in pairs]), args.weights)
     print(args.weights)
 
 
