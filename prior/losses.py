@@ -153,22 +153,25 @@ def splat_step(net, pool, n, heed=None):
     answer, alpha = made[:, :, :3], made[:, :, 3:]
     truth = batch.colour + (1 - batch.alpha) * background
 
-    weight = (~batch.empty).float()[:, None, None, None, None]
+    weight = importance(batch)
     error = answer - truth
     coarse = loosened(error, batch.dressed)
     colour_loss = (weight * (coarse.abs() * 0.8 + coarse * coarse)).mean()
-    uncovered = weight * (alpha - batch.alpha)
-    alpha_loss = (uncovered**2).mean() + 0.3 * uncovered.abs().mean()
-    edge_loss = sum(gradients(pooled(coarse, step)) for step in (1, 2, 4))
+    uncovered = alpha - batch.alpha
+    alpha_loss = (weight * (uncovered**2 + 0.3 * uncovered.abs())).mean()
+    edge_loss = sum(gradients(pooled(weight * coarse, step)) for step in (1, 2, 4))
+    present = (~batch.empty).float()[:, None, None, None, None]
+    overlap_loss = (present * silhouette_losses(alpha, batch.alpha)).mean()
     depth_loss = front_depth_loss(splats["depth"], batch)
     elevation_loss, off = elevation_losses(splats["elevation"], batch.elevation)
     camera_loss = F.smooth_l1_loss(splats["camera"], batch.camera, beta=0.03, reduction="none")
-    camera_loss = (camera_loss * weight[:, 0, 0, 0] * fixed(CAMERA_WEIGHTS, camera_loss.device)).sum(1).mean()
+    camera_loss = (camera_loss * present[:, 0, 0, 0] * fixed(CAMERA_WEIGHTS, camera_loss.device)).sum(1).mean()
     size_loss = F.relu(splats["scale"] - 0.06).mean()
     loss = colour_loss + alpha_loss + 0.7 * edge_loss / 3 + 0.25 * depth_loss + 2 * size_loss
-    loss = loss + 0.02 * elevation_loss + camera_loss
+    loss = loss + 0.2 * overlap_loss + 0.02 * elevation_loss + camera_loss
     figures = {
-        **view_scores(answer, truth, alpha, batch.alpha, weight[:, 0]),
+        **view_scores(answer, truth, alpha, batch.alpha, present[:, 0]),
+        "overlap": overlap_loss,
         "depth": depth_loss,
         "zoom": (splats["camera"] - batch.camera)[:, 0].abs().mean(),
         "el_deg": off,
@@ -268,6 +271,22 @@ def render(splats, views, lenses, size):
     return colour.permute(0, 1, 4, 2, 3), alpha.permute(0, 1, 4, 2, 3)
 
 
+def importance(batch):
+    """How much each subject's pixels count, [n, 1, 1, 1, 1], in the mean 1: what covers little of its views counts more a pixel.
+
+    Else blades, wings and posts would teach next to nothing beside what fills its pictures. Empty crops do not count.
+    """
+    share = batch.alpha.mean((1, 2, 3, 4), keepdim=True).clamp(min=0.01)
+    weight = share**-0.5 * (~batch.empty).float()[:, None, None, None, None]
+    return weight / weight.mean().clamp(min=1e-3)
+
+
+def silhouette_losses(alpha, truth):
+    """1 - Dice of each view's coverage, [n, V, 1, 1, 1], of [n, V, 1, S, S]: the same for slender subjects as for full ones."""
+    overlap = (alpha * truth).sum((2, 3, 4), keepdim=True)
+    return 1 - (2 * overlap + 1) / ((alpha + truth).sum((2, 3, 4), keepdim=True) + 1)
+
+
 def loosened(error, dressed):
     """Colour errors [n, V, 3, S, S] of which the first `dressed` are means over squares of `PATCH` pixels."""
     squares = F.interpolate(pooled(error[:dressed], PATCH), scale_factor=float(PATCH))
@@ -279,9 +298,10 @@ def pooled(x, step):
 
 
 def front_depth_loss(depth, batch):
-    """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject."""
+    """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject; each subject counts alike."""
     valid = front_seen(batch)
-    return ((depth - batch.front).abs() * valid).sum() / valid.sum().clamp(min=1)
+    each = ((depth - batch.front).abs() * valid).sum((1, 2)) / valid.sum((1, 2)).clamp(min=1)
+    return each.sum() / valid.any(2).any(1).sum().clamp(min=1)
 
 
 def front_seen(batch):

@@ -65,10 +65,11 @@ class UNet(nn.Module):
     """Convolutions down to a `grid` x `grid` map, `depth` transformer blocks there, convolutions up again.
 
     Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). Output: map [B, cout, S, S], the mean token
-    [B, widths[-1]] and what the map was made of, [B, widths[0], S, S]. `blocks` is the number of residual blocks a level.
+    [B, widths[-1]] and what the map was made of, [B, widths[0], S, S]. `blocks` is the number of residual blocks a level,
+    `near` that of transformer blocks on the next finer grid, on the way up.
     """
 
-    def __init__(self, cin, widths, cout, grid, depth, heads, blocks=2):
+    def __init__(self, cin, widths, cout, grid, depth, heads, blocks=2, near=0):
         super().__init__()
         self.stem = nn.Conv2d(cin, widths[0], 3, padding=1)
         self.down = nn.ModuleList()
@@ -84,6 +85,9 @@ class UNet(nn.Module):
             self.up.append(level(last + width, width, blocks))
             last = width
         self.head = nn.Conv2d(last, cout, 1)
+        self.near = nn.ModuleList(Block(widths[-2], widths[-2] // 32) for _ in range(near))
+        if near:
+            self.pos_near = nn.Parameter(torch.zeros(1, 4 * grid * grid, widths[-2]))
 
     def forward(self, x, beside=0):
         """`beside` [B, widths[0], S, S]: what is known at each pixel from elsewhere, added to the stem's features."""
@@ -92,17 +96,28 @@ class UNet(nn.Module):
         for i, down in enumerate(self.down):
             x = down(x if i == 0 else F.avg_pool2d(x, 2))
             skips.append(x)
-        batch, channels, height, width = x.shape
-        tokens = x.flatten(2).transpose(1, 2) + self.pos
-        for block in self.mid:
-            tokens = block(tokens)
-        tokens = self.norm(tokens)
-        x = tokens.transpose(1, 2).reshape(batch, channels, height, width)
+        tokens = self.norm(attended(x, self.pos, self.mid))
+        x = as_map(tokens, x.shape)
         for i, up in enumerate(self.up):
             if i > 0:
                 x = F.interpolate(x, scale_factor=2.0, mode="nearest")
             x = up(torch.cat([x, skips[-1 - i]], 1))
+            if i == 1 and len(self.near):
+                x = as_map(attended(x, self.pos_near, self.near), x.shape)
         return self.head(x), tokens.mean(1), x
+
+
+def attended(x, positions, blocks):
+    """A map [B, C, H, W] as tokens [B, H W, C] with positions [1, H W, C], after the transformer blocks."""
+    tokens = x.flatten(2).transpose(1, 2) + positions
+    for block in blocks:
+        tokens = block(tokens)
+    return tokens
+
+
+def as_map(tokens, shape):
+    """Tokens [B, H W, C] as a map of `shape` [B, C, H, W] again."""
+    return tokens.transpose(1, 2).reshape(shape)
 
 
 def halved(x):
@@ -221,7 +236,7 @@ class SplatNet(nn.Module):
     def __init__(self, layers=2):
         super().__init__()
         self.layers = layers
-        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=19, heads=8)
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=24, heads=8, near=6)
         self.el = head(256, 2)
         self.camera = head(256, 4)
         self.er = ErrorHead(48, 256, layers)
@@ -330,7 +345,9 @@ def grown(net, state):
             wider = torch.zeros_like(value)
             wider[:, : state[name].shape[1]] = state[name]
             state[name] = wider
-        if name in state or ".mid." not in name:
+        if name == "net.pos_near" and name not in state:
+            state[name] = value.clone()
+        if name in state or not re.search(r"\.(mid|near)\.", name):
             continue
         closes = re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
         state[name] = torch.zeros_like(value) if closes else value.clone()

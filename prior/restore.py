@@ -78,7 +78,8 @@ def state_from_onnx(path, net):
     The file may hold a shallower version of `net` (see `nets.grown`).
     """
     graph = onnx.load(path).graph
-    state = {"net.pos": stored_values(graph)["n.net.pos"]}
+    values = stored_values(graph)
+    state = {name: values["n." + name] for name in ("net.pos", "net.pos_near") if "n." + name in values}
     modules = dict(net.named_modules())
     for name, weights in weights_by_module(graph).items():
         state[name + ".weight"] = weights[0]

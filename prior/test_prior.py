@@ -197,3 +197,96 @@ def test_an_answer_of_wrong_size_and_distance_is_brought_home():
     home = brought_home(answer, batch)
     assert torch.allclose(home["pos"], truth, atol=1e-5)
     assert torch.allclose(home["scale"], torch.full_like(home["scale"], 0.1), atol=1e-6)
+
+
+def test_a_deeper_network_begins_as_the_one_it_grew_from():
+    torch = pytest.importorskip("torch")
+    from nets import UNet, grown
+
+    torch.manual_seed(6)
+    shallow = UNet(4, (16, 32, 64), cout=3, grid=4, depth=1, heads=2).eval()
+    deep = UNet(4, (16, 32, 64), cout=3, grid=4, depth=3, heads=2, near=2).eval()
+    # `grown` reads whole networks, whose U-Net is called net.
+    named = torch.nn.ModuleDict({"net": deep})
+    state = grown(named, {f"net.{name}": value for name, value in shallow.state_dict().items()})
+    named.load_state_dict(state)
+    x = torch.rand(2, 4, 16, 16)
+    with torch.no_grad():
+        for a, b in zip(shallow(x), deep(x), strict=True):
+            assert torch.allclose(a, b, atol=1e-5)
+
+
+def test_means_of_versions_are_of_what_they_compute():
+    torch = pytest.importorskip("torch")
+    from average import averaged, folded
+    from nets import UNet
+
+    torch.manual_seed(7)
+    net = UNet(4, (16, 32), cout=3, grid=4, depth=1, heads=2).eval()
+    for module in net.modules():
+        if isinstance(module, torch.nn.BatchNorm2d):
+            module.running_mean.uniform_(-0.3, 0.3)
+            module.running_var.uniform_(0.5, 2)
+            torch.nn.init.uniform_(module.weight, 0.5, 1.5)
+    x = torch.rand(2, 4, 8, 8)
+    with torch.no_grad():
+        before, state = net(x)[0], folded(net)
+        # The same function, its norms set otherwise, is no other version.
+        net.load_state_dict(averaged([state, folded(net)], [2.0, 1.0]))
+        assert torch.allclose(net(x)[0], before, atol=1e-5)
+    mean = averaged([{"a": torch.tensor([1.0]), "n": torch.tensor(3)}, {"a": torch.tensor([5.0]), "n": torch.tensor(3)}], [3, 1])
+    assert mean["a"].item() == 2 and mean["n"].item() == 3
+
+
+def test_muon_steps_along_all_directions_of_a_matrix_alike():
+    torch = pytest.importorskip("torch")
+    from muon import USUAL, Muon, orthogonalised
+
+    torch.manual_seed(8)
+    steps = orthogonalised(torch.randn(3, 24, 60) * torch.logspace(-6, 3, 24)[:, None]).float()
+    values = torch.linalg.svdvals(orthogonalised(torch.randn(3, 60, 24)).float())
+    assert steps.isfinite().all() and values.min() > 0.5 and values.max() < 1.3
+
+    blocks = {"x.qkv.weight": torch.nn.Parameter(torch.zeros(48, 16)), "x.a.weight": torch.nn.Parameter(torch.zeros(8, 4, 3, 3))}
+    optimizer = Muon(blocks.items(), lr=0.1, parts={"qkv": 3})
+    for p in blocks.values():
+        p.grad = torch.randn_like(p)
+    blocks["x.qkv.weight"].grad[:16] *= 100  # queries alone: keys and values are matrices of their own
+    optimizer.found_inf = torch.tensor(1.0)
+    optimizer.step()
+    assert all((p == 0).all() for p in blocks.values())
+    optimizer.found_inf = torch.tensor(0.0)
+    optimizer.step()
+    for part in blocks["x.qkv.weight"].detach().chunk(3):
+        assert 0.7 < torch.linalg.svdvals(part).median() / (0.1 * USUAL * 16**0.5) < 1.2
+    kernel = blocks["x.a.weight"].detach().reshape(8, 36)
+    assert 0.7 < torch.linalg.svdvals(kernel).median() / (0.1 * USUAL * 36**0.5) < 1.2
+
+
+def test_slender_subjects_count_as_much_as_full_ones():
+    torch = pytest.importorskip("torch")
+    from types import SimpleNamespace
+
+    from losses import importance, silhouette_losses
+
+    alpha = torch.zeros(3, 2, 1, 32, 32)
+    alpha[0, :, :, 4:28, 4:28] = 1
+    alpha[1, :, :, 4:28, 15:17] = 1
+    weight = importance(SimpleNamespace(alpha=alpha, empty=torch.tensor([False, False, True])))
+    assert weight.mean().item() == pytest.approx(1) and weight[2].item() == 0
+    assert (weight[1] / weight[0]).item() == pytest.approx(12**0.5, rel=1e-4)
+    # Half of a subject missing costs the same, whatever its size.
+    half = alpha.clone()
+    half[..., :16, :] = 0
+    lost = silhouette_losses(half, alpha).squeeze()
+    assert lost[0, 0].item() == pytest.approx(1 / 3, abs=0.01) and lost[1, 0].item() == pytest.approx(1 / 3, abs=0.01)
+    assert silhouette_losses(alpha, alpha).abs().max() < 1e-6
+
+
+def test_masks_grow_by_rows_and_columns_as_by_squares():
+    torch = pytest.importorskip("torch")
+    from synth.masks import grown
+
+    torch.manual_seed(9)
+    mask = torch.rand(2, 1, 40, 40)
+    assert torch.equal(grown(mask, 5), torch.nn.functional.max_pool2d(mask, 11, 1, 5))

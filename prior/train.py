@@ -25,7 +25,8 @@ from torch.nn.parallel import DistributedDataParallel
 
 from critic import Adversary
 from losses import STEPS
-from nets import NETS, load_weights
+from muon import Muon
+from nets import NETS, Block, Res, load_weights
 from pictures import save_sheet
 from restore import calibrate, generated_inputs, state_from_onnx
 from synth.batches import make_pool
@@ -33,8 +34,8 @@ from synth.batches import make_pool
 LOG_SECONDS = 20
 STOP_EVERY = 20  # steps between two looks at the clock that all ranks share
 AVERAGE_EVERY = 4
-WARM_UP = 400  # steps
-CRITIC_WARM_UP = 1200  # steps until a critic counts whole
+WARM_UP = 300  # steps
+CRITIC_WARM_UP = 800  # steps until a critic counts whole
 SPIKE = 6  # times the usual gradient: such a step is left out
 
 
@@ -54,9 +55,11 @@ def arguments():
     parser.add_argument("--init", default="", help="weights to start from: .pt, or .onnx of this or an older version")
     parser.add_argument("--rough", default="", help="DetailNet: the SceneNet whose masks it makes fine, .onnx")
     parser.add_argument("--critic", type=float, default=0, help="SplatNet: slope of a critic's demand over that of the loss")
+    parser.add_argument("--critic-from", type=float, default=0, help="share of the schedule that passes before there is a critic")
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
-    parser.add_argument("--compile", action="store_true", help="compile the network first (a minute, then faster)")
+    parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
+    parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (a minute, then faster)")
     return parser.parse_args()
 
 
@@ -108,31 +111,61 @@ def told(path, seconds, total):
         return seconds, total
 
 
-def train(net, take_step, optimizer, average, adversary, pool, args, spent, step, rank, world):
+def compiled(net):
+    """The network with its blocks compiled in place: a kind of block once for each shape, which takes less than all at once."""
+    torch._dynamo.config.recompile_limit = 64
+    for module in net.modules():
+        if isinstance(module, (Block, Res)):
+            module.compile()
+
+
+def optimizers_of(net, args):
+    """What moves the parameters that learn: AdamW, or with --muon two, the matrices of blocks by Muon."""
+    learning = [(name, p) for name, p in net.named_parameters() if p.requires_grad]
+    inside = {f"{at}.{name}" for at, m in net.named_modules() if isinstance(m, (Block, Res)) for name, _ in m.named_parameters()}
+    matrices = [(name, p) for name, p in learning if args.muon and name in inside and p.ndim > 1]
+    others = [p for name, p in learning if name not in dict(matrices)]
+    adam = torch.optim.AdamW(others, lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
+    # Queries, keys and values are three matrices.
+    return [adam, Muon(matrices, args.lr, 0.02, parts={"qkv": 3})] if matrices else [adam]
+
+
+def train(net, take_step, optimizers, average, adversary, pool, args, spent, step, rank, world):
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
-    model = torch.compile(net) if args.compile else net
+    model = net
+    if args.compile:
+        compiled(net)
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     start = logged = kept = time.time()
     seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
+    heeded = 0  # steps with a critic
     usual = torch.tensor(1.0, device="cuda")  # size of the gradient
     while True:
         elapsed = time.time() - start
         if step % STOP_EVERY == 0:
             seconds, total = told(os.path.join(args.dir, "seconds"), seconds, total)
-        for group in optimizer.param_groups:
-            group["lr"] = learning_rate(args.lr, step, (spent + elapsed) / total)
-        if adversary:
-            adversary.follow(learning_rate(args.lr, step, (spent + elapsed) / total), min(1, step / CRITIC_WARM_UP) * args.critic)
-        loss, figures, columns = take_step(model, pool, args.batch)
-        optimizer.zero_grad(set_to_none=True)
+        done = (spent + elapsed) / total
+        lr = learning_rate(args.lr, step, done)
+        for group in (g for o in optimizers for g in o.param_groups):
+            group["lr"] = lr
+        heed = {}
+        if adversary and done >= args.critic_from:
+            adversary.follow(lr, min(1, heeded / CRITIC_WARM_UP) * args.critic)
+            heed = {"heed": adversary.heeded}
+            heeded += 1
+        loss, figures, columns = take_step(model, pool, args.batch, **heed)
+        for o in optimizers:
+            o.zero_grad(set_to_none=True)
         loss.backward()
         norm = torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
-        # The fused optimizer leaves the weights as they are where this is 1; no need to look.
-        optimizer.found_inf = (~torch.isfinite(norm) | (norm > SPIKE * usual)).float()
+        # The optimizers leave the weights as they are where this is 1; no need to look.
+        left_out = (~torch.isfinite(norm) | (norm > SPIKE * usual)).float()
         usual = usual.lerp(torch.minimum(norm.nan_to_num(0, 0, 0), 2 * usual), 0.01)
-        optimizer.step()
+        for o in optimizers:
+            o.found_inf = left_out
+            o.step()
         step += 1
         if step % AVERAGE_EVERY == 0:
             average.update(net, step)
@@ -147,14 +180,14 @@ def train(net, take_step, optimizer, average, adversary, pool, args, spent, step
             print(json.dumps(line | {k: round(v.item(), 3) for k, v in log.items()}), flush=True)
         if rank == 0 and time.time() - kept > args.keep_every:
             kept = time.time()
-            save(net, average, optimizer, adversary, spent + elapsed, step, os.path.join(args.dir, args.net))
+            save(net, average, optimizers, adversary, spent + elapsed, step, os.path.join(args.dir, args.net))
         if stop:
             return step, spent + time.time() - start, columns
 
 
-def save(net, average, optimizer, adversary, spent, step, path):
+def save(net, average, optimizers, adversary, spent, step, path):
     """Write `path`.pt, `path`_weights.pt and the critic; whoever reads them meanwhile sees the old ones or the new ones."""
-    state = {"net": net.state_dict(), "ema": average.state, "opt": optimizer.state_dict(), "spent": spent, "it": step}
+    state = {"net": net.state_dict(), "ema": average.state, "opt": [o.state_dict() for o in optimizers], "spent": spent, "it": step}
     contents = [(path + ".pt", state), (path + "_weights.pt", average.half())]
     if adversary:
         state["critic"] = adversary.state()
@@ -165,8 +198,11 @@ def save(net, average, optimizer, adversary, spent, step, path):
 
 
 def initialised(which, init, pool, masks):
-    """The network that `which` trains on the GPU, with the weights of the file `init` if one is given."""
-    net = NETS["splat" if which == "error" else which]()
+    """The network that `which` trains on the GPU, with the weights of the file `init` if one is given. What is new in it is the
+    same whatever the seed: of trainings that began alike the mean is a network again."""
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(0)
+        net = NETS["splat" if which == "error" else which]()
     if init.endswith(".onnx"):
         net.load_state_dict(state_from_onnx(init, net))
         if which != "error":
@@ -219,15 +255,15 @@ def main():
     masks = masks_of(args.rough) if args.net == "detail" else None
     net = initialised(args.net, "" if saved else args.init, pool, masks)
     average = Average(net)
-    learning = [p for p in net.parameters() if p.requires_grad]
-    optimizer = torch.optim.AdamW(learning, lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
+    optimizers = optimizers_of(net, args)
     adversary = Adversary(args.critic_init) if args.critic and args.net == "splat" else None
     if saved and adversary and "critic" in saved:
         adversary.go_on(saved["critic"])
     if saved:
         net.load_state_dict(saved["net"])
         average.state = saved["ema"]
-        optimizer.load_state_dict(saved["opt"])
+        for o, state in zip(optimizers, saved["opt"], strict=True):
+            o.load_state_dict(state)
     if rank == 0:
         parameters = sum(p.numel() for p in net.parameters())
         print(f"{args.net}: {parameters / 1e6:.1f} M parameters, {len(pool.prims)} objects, step {step}", flush=True)
@@ -235,11 +271,9 @@ def main():
     take_step = STEPS[args.net]
     if masks:
         take_step = functools.partial(take_step, masks=masks)
-    if adversary:
-        take_step = functools.partial(take_step, heed=adversary.heeded)
-    step, spent, columns = train(net, take_step, optimizer, average, adversary, pool, args, spent, step, rank, world)
+    step, spent, columns = train(net, take_step, optimizers, average, adversary, pool, args, spent, step, rank, world)
     if rank == 0:
-        save(net, average, optimizer, adversary, spent, step, path)
+        save(net, average, optimizers, adversary, spent, step, path)
         save_sheet(columns, path + ".png")
         print(f"saved {path}.pt, {path}_weights.pt after {step} steps", flush=True)
     if world > 1:

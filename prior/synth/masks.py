@@ -30,8 +30,7 @@ def leaked(photo, mask, alpha, leaky):
     n, _, size, _ = alpha.shape
     device = alpha.device
     reach = size * 6 // 128
-    wider = F.max_pool2d(alpha, 2 * reach + 1, 1, reach)
-    near = F.max_pool2d(wider, 2 * reach + 1, 1, reach) - alpha
+    near = grown(grown(alpha, reach), reach) - alpha
     rows = (torch.arange(size, device=device) + 0.5)[None, None, :, None]
     foot = torch.where(alpha > 0.1, rows, torch.zeros_like(rows)).amax((2, 3), keepdim=True)
     head = torch.where(alpha > 0.1, rows, torch.full_like(rows, float(size))).amin((2, 3), keepdim=True)
@@ -44,6 +43,11 @@ def leaked(photo, mask, alpha, leaky):
     shade = torch.rand(n, 3, 1, 1, device=device) * 0.15 + torch.rand(n, 1, 1, 1, device=device) ** 1.5 * 0.55
     ground = (shade * (1 + 0.12 * grain)).clamp(0, 1)
     return photo * (1 - piece) + ground * piece, torch.maximum(mask, piece)
+
+
+def grown(mask, by):
+    """The largest of masks [n, 1, S, S] within a square of 2 `by` + 1 pixels, row by row and then column by column."""
+    return F.max_pool2d(F.max_pool2d(mask, (1, 2 * by + 1), 1, (0, by)), (2 * by + 1, 1), 1, (by, 0))
 
 
 def worn(rough, alpha):
@@ -60,9 +64,6 @@ def worn(rough, alpha):
 
     def field(cells):
         return F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
-
-    def grown(x, by):
-        return F.max_pool2d(x, 2 * by + 1, 1, by)
 
     def shrunk(x, by):
         return -grown(-x, by)
