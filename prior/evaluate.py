@@ -122,9 +122,12 @@ def to_world(splats, elevation, azimuth, size):
 
 
 @torch.no_grad()
-def rendered(splats, elevation, azimuth, size, views):
-    """The object from `views` on white, [V, 3, H, W], and its coverage [V, H, W]."""
+def rendered(splats, elevation, azimuth, size, views, place=(1.0, (0.0, 0.0, 0.0))):
+    """The object from `views` on white, [V, 3, H, W], and its coverage [V, H, W]. `place`: scale and then shift in its world."""
     position, covariance = to_world(splats, elevation, azimuth, size)
+    scale, shift = place
+    position = position * scale + torch.tensor(shift, dtype=torch.float32, device=DEVICE)
+    covariance = covariance * scale**2
     matrices = torch.tensor([v["w2c_opencv"] for v in views], device=DEVICE, dtype=torch.float32)
     intrinsics = torch.tensor([[v["fx"], v["fy"], v["cx"], v["cy"]] for v in views], device=DEVICE)
     height, width = views[0]["height"], views[0]["width"]

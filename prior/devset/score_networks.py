@@ -9,8 +9,9 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
 * elevations: mean and median error in degrees of SceneNet, of SplatNet and of both joined (`evaluate.joined`), own masks;
 * shapes: SplatNet on plain photos with true masks, every fourth view of 24, on white: silhouette IoU and PSNR in its own
   unit, then at the best of the scales in `SCALES` (no photo shows the unit when the bounding box lies askew), PSNR of the
-  views within 60 degrees of the photo at that scale, and the error of its elevation; with a graph of LPIPS (inputs `ref` and
-  `dist`, normalised as ImageNet's networks want it), its mean over the views in its own unit, drawn on to 256 x 256.
+  views within 60 degrees of the photo at that scale, the same three at the scale and shift that fit the silhouettes best (nor does
+  a photo show the box's middle: `score.better_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
+  `dist`, normalised as ImageNet's networks want it), its means over the views in its own unit and so placed, drawn on to 256 x 256.
 """
 
 import argparse
@@ -18,6 +19,7 @@ import json
 import math
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import torch
@@ -28,8 +30,10 @@ sys.path.insert(0, str(HERE.parent))
 
 import evaluate
 from nets import SceneNet, SplatNet
+from score import better_place
 
 SCALES = (1.0, 0.94, 1.07, 1.15)
+FITS = 3  # steps of the scale and shift that fit best
 EVERY = 4  # of the 24 views
 # Mean and deviation, [1, 3, 1, 1], of the colours that LPIPS' network was trained on.
 IMAGENET = np.array([[0.485, 0.456, 0.406], [0.229, 0.224, 0.225]], np.float32).reshape(2, 1, 3, 1, 1)
@@ -94,13 +98,23 @@ def lpips(graph, drawn, truth):
 
 @torch.no_grad()
 def score_shape(splat, folder, cameras, graph):
-    """[IoU, PSNR in its own unit, best scale, IoU, PSNR, PSNR of near views there, error of elevation(, LPIPS)] of one object."""
+    """`view_figures` of one object, the error of its elevation before LPIPS."""
     views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
     truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
     colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
     answer = splat(evaluate.crop(photo_of(folder, "plain"), evaluate.true_mask(folder / "mask.png")))
     elevation = answer["elevation"][0, 0]
     azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
+    figures, perceived = view_figures(answer, azimuth, size, views, colour, alpha, graph)
+    off = abs(math.degrees(elevation.item()) - cameras["views"][0]["elevation_deg"])
+    return [*figures, off, *perceived]
+
+
+@torch.no_grad()
+def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
+    """Of one answer beside true views (on white [V, 3, H, W], coverage [V, H, W]): [IoU, PSNR in its own unit; best scale, IoU, PSNR,
+    PSNR of near views there; the same three placed best], and [LPIPS in its own unit, placed best] or []."""
+    elevation = answer["elevation"][0, 0]
     scores, perceived = {}, []
     for by in SCALES:
         drawn = evaluate.rendered(scaled(answer, by), elevation, azimuth, size, views)
@@ -108,14 +122,22 @@ def score_shape(splat, folder, cameras, graph):
             perceived = [lpips(graph, drawn[0], colour)]
         scores[by] = evaluate.view_scores(*drawn, colour, alpha, views)
     best = max(SCALES, key=lambda by: scores[by]["iou"])
-    off = abs(math.degrees(elevation.item()) - cameras["views"][0]["elevation_deg"])
+    place, silhouettes = (1.0, np.zeros(3)), SimpleNamespace(views=views, alpha=alpha.numpy(), size=size)
+    for _ in range(FITS):
+        drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
+        place = better_place(silhouettes, place, drawn[1].numpy())
+    drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
+    placed = evaluate.view_scores(*drawn, colour, alpha, views)
+    if graph:
+        perceived.append(lpips(graph, drawn[0], colour))
     own = [scores[1.0][k] for k in ("iou", "psnr")]
-    return [*own, best, *(scores[best][k] for k in ("iou", "psnr", "psnr_near")), off, *perceived]
+    kinds = ("iou", "psnr", "psnr_near")
+    return [*own, best, *(scores[best][k] for k in kinds), *(placed[k] for k in kinds)], perceived
 
 
 def score_shapes(splat, objects, graph):
     rows = []
-    print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; elevation error; LPIPS")
+    print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; these three placed best; elevation error; LPIPS, both")
     for folder, cameras in objects:
         rows.append(score_shape(splat, folder, cameras, graph))
         print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)

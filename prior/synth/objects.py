@@ -138,11 +138,12 @@ class Made(NamedTuple):
     maker: Callable
 
 
-def make_object(seed):
-    """The object of a seed."""
+def make_object(seed, maker=None):
+    """The object of a seed, of a maker that it draws or of the one that is given."""
     rng = np.random.default_rng(seed)
     kit = Kit(rng)
-    maker = draw_maker(rng)
+    drawn = draw_maker(rng)
+    maker = maker or drawn
     maker(kit)
     stretch = draw_stretch(rng)
     primitives = [stretched(p, stretch) for p in kit.primitives[:PRIMS]]
