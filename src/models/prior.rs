@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.8",
-    sha256: "a591d0b38520a6347cf7d6c49680396e4792d94158446ed86de84ae37218375e",
+    version: "0.9",
+    sha256: "431027d43172b57f5b90b456882340e96db98a6aaf5367cb25ba985990b1ae15",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
