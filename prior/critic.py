@@ -54,6 +54,7 @@ class Adversary:
     def __init__(self, path=""):
         """A new critic, or the one that the file at `path` holds (`half`)."""
         self.share = 0.0
+        self.turns = 0
         self.critic = Critic()
         if path:
             known = torch.load(path, map_location="cpu", weights_only=True)
@@ -66,11 +67,12 @@ class Adversary:
 
     def state(self):
         """Everything that `go_on` needs."""
-        return {"net": self.critic.state_dict(), "opt": self.optimizer.state_dict()}
+        return {"net": self.critic.state_dict(), "opt": self.optimizer.state_dict(), "turns": self.turns}
 
     def go_on(self, state):
         self.critic.load_state_dict(state["net"])
         self.optimizer.load_state_dict(state["opt"])
+        self.turns = state["turns"]
 
     def half(self):
         """The critic's parameters and buffers in float16."""
@@ -83,6 +85,7 @@ class Adversary:
 
     def turn(self, answer, truth, crop):
         """Teach the critic true from made views [B, 4, S, S] beside crops [B, 4, S, S] (hinge loss); returns how often it is right."""
+        self.turns += 1
         for p in self.critic.parameters():
             p.requires_grad_(True)
         with torch.autocast("cuda", torch.bfloat16):

@@ -59,7 +59,7 @@ def arguments():
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
-    parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (a minute, then faster)")
+    parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (two minutes, then faster)")
     return parser.parse_args()
 
 
@@ -111,8 +111,8 @@ def told(path, seconds, total):
         return seconds, total
 
 
-def compiled(net):
-    """The network with its blocks compiled in place: a kind of block once for each shape, which takes less than all at once."""
+def compile_blocks(net):
+    """Compile the network's blocks in place, each kind of block once for each shape."""
     torch._dynamo.config.recompile_limit = 64
     for module in net.modules():
         if isinstance(module, (Block, Res)):
@@ -124,7 +124,8 @@ def optimizers_of(net, args):
     learning = [(name, p) for name, p in net.named_parameters() if p.requires_grad]
     inside = {f"{at}.{name}" for at, m in net.named_modules() if isinstance(m, (Block, Res)) for name, _ in m.named_parameters()}
     matrices = [(name, p) for name, p in learning if args.muon and name in inside and p.ndim > 1]
-    others = [p for name, p in learning if name not in dict(matrices)]
+    taken = {name for name, _ in matrices}
+    others = [p for name, p in learning if name not in taken]
     adam = torch.optim.AdamW(others, lr=args.lr, weight_decay=0.02, betas=(0.9, 0.98), fused=True)
     # Queries, keys and values are three matrices.
     return [adam, Muon(matrices, args.lr, 0.02, parts={"qkv": 3})] if matrices else [adam]
@@ -134,13 +135,12 @@ def train(net, take_step, optimizers, average, adversary, pool, args, spent, ste
     """Run the loop for args.seconds. Returns steps done in all, seconds spent in all, and the last picture columns."""
     model = net
     if args.compile:
-        compiled(net)
+        compile_blocks(net)
     if world > 1:
         model = DistributedDataParallel(model, device_ids=[rank], broadcast_buffers=False)
     start = logged = kept = time.time()
     seconds, total = args.seconds, args.total or spent + args.seconds
     log = {}
-    heeded = 0  # steps with a critic
     usual = torch.tensor(1.0, device="cuda")  # size of the gradient
     while True:
         elapsed = time.time() - start
@@ -152,9 +152,8 @@ def train(net, take_step, optimizers, average, adversary, pool, args, spent, ste
             group["lr"] = lr
         heed = {}
         if adversary and done >= args.critic_from:
-            adversary.follow(lr, min(1, heeded / CRITIC_WARM_UP) * args.critic)
+            adversary.follow(lr, min(1, adversary.turns / CRITIC_WARM_UP) * args.critic)
             heed = {"heed": adversary.heeded}
-            heeded += 1
         loss, figures, columns = take_step(model, pool, args.batch, **heed)
         for o in optimizers:
             o.zero_grad(set_to_none=True)

@@ -74,11 +74,12 @@ def score_maker(splat, maker, count):
     rows = []
     for i in range(count):
         one = slice(i, i + 1)
-        answer = splat(crops[one])
-        views, colour, alpha = true_views(prims[one], counts[one], light[one], azimuth[i])
+        answer = splat(crops[one].to(evaluate.DEVICE))
+        views, *truth = true_views(prims[one], counts[one], light[one], azimuth[i])
+        colour, alpha = (t.to(evaluate.DEVICE) for t in truth)
         # Generated objects are centred, half their diagonal is 1.
         figures, _ = view_figures(answer, azimuth[i].item(), np.array([2.0, 0, 0]), views, colour, alpha)
-        rows.append([*figures, abs(math.degrees(answer["elevation"][0, 0] - elevation[i]))])
+        rows.append([*figures, abs(math.degrees(answer["elevation"][0, 0].item() - elevation[i].item()))])
     return np.mean(rows, 0)
 
 

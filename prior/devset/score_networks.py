@@ -90,7 +90,7 @@ def lpips(graph, drawn, truth):
 
     def fed(x):
         larger = F.interpolate(x[None].float(), size=(256, 256), mode="bilinear").clamp(0, 1)
-        return ((larger - torch.tensor(IMAGENET[0])) / torch.tensor(IMAGENET[1])).numpy()
+        return ((larger.cpu() - torch.tensor(IMAGENET[0])) / torch.tensor(IMAGENET[1])).numpy()
 
     pairs = zip(truth, drawn, strict=True)
     return np.mean([np.ravel(graph.run(None, {"ref": fed(t), "dist": fed(d)})[0])[0] for t, d in pairs])
@@ -122,10 +122,10 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
             perceived = [lpips(graph, drawn[0], colour)]
         scores[by] = evaluate.view_scores(*drawn, colour, alpha, views)
     best = max(SCALES, key=lambda by: scores[by]["iou"])
-    place, silhouettes = (1.0, np.zeros(3)), SimpleNamespace(views=views, alpha=alpha.numpy(), size=size)
+    place, silhouettes = (1.0, np.zeros(3)), SimpleNamespace(views=views, alpha=alpha.cpu().numpy(), size=size)
     for _ in range(FITS):
         drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
-        place = better_place(silhouettes, place, drawn[1].numpy())
+        place = better_place(silhouettes, place, drawn[1].cpu().numpy())
     drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
     placed = evaluate.view_scores(*drawn, colour, alpha, views)
     if graph:
