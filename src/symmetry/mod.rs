@@ -6,6 +6,7 @@
 
 mod complete;
 mod evidence;
+mod middle;
 mod search;
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::evidence::{Evidence, Field, extent, projected};
+use super::middle::centred;
 use super::{Plane, Seen, Use, flipped};
 use crate::splat::{self, Gaussians};
 
@@ -112,7 +113,10 @@ impl Basis {
 /// A plane, and why it is used; None where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
+    /// What it was chosen and judged by, where the shape alone has it.
     pub fit: Fit,
+    /// Where it is used: moved along its normal to the middle of what the subject looks like.
+    pub plane: Plane,
     pub basis: Option<Basis>,
 }
 
@@ -124,7 +128,7 @@ impl Found {
 
 /// The planes that are to be used, in their order.
 pub fn used(found: &[Found]) -> Vec<Plane> {
-    found.iter().filter(|f| f.used()).map(|f| f.fit.plane).collect()
+    found.iter().filter(|f| f.used()).map(|f| f.plane).collect()
 }
 
 /// Whether a plane that is used was assumed.
@@ -150,7 +154,11 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
         Use::Auto if first.plausible() => Some(Basis::Assumed),
         _ => None,
     };
-    let mut all = vec![Found { fit: first, basis }];
+    let found = |fit: Fit, basis: Option<Basis>| {
+        let plane = if basis.is_some() { centred(g, fit.plane) } else { fit.plane };
+        Found { fit, plane, basis }
+    };
+    let mut all = vec![found(first, basis)];
     // A plane that the photo looks along gives nothing; one across it may all the same.
     if (basis.is_some() || first.plausible_across())
         && let Some(second) = across(&evidence, variation, &first.plane).map(with_silhouette)
@@ -163,7 +171,7 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
             }
             _ => None,
         };
-        all.push(Found { fit: second, basis });
+        all.push(found(second, basis));
     }
     all
 }

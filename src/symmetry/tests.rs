@@ -124,6 +124,31 @@ fn what_is_not_symmetric_does_not_convince() {
     assert!(find(&case.g, &nothing, Use::On).is_empty());
 }
 
+#[test]
+fn a_far_side_that_lies_too_deep_does_not_move_the_plane() {
+    // As the surface of fog does; from the sides the van is as wide as ever.
+    let case = Case::new(van(stripes));
+    let toward = case.truth.distance(case.camera.position()).signum();
+    let truth = Plane { normal: case.truth.normal * toward, offset: case.truth.offset * toward };
+    let along = truth.normal.cross(Vec3::Z);
+    let mut dented = case.g.clone();
+    for p in &mut dented.positions {
+        if truth.distance(*p) < -0.33 && (-0.36..0.36).contains(&p.z) && along.dot(*p).abs() < 0.7 {
+            *p += 0.06 * truth.normal;
+        }
+    }
+    let by = |off: f32| Plane { offset: truth.offset + off, ..truth };
+    let shape = |off: f32| search::fit(&dented, &case.seen(), by(off)).unwrap().shape;
+    assert!(shape(0.02) < 0.95 * shape(0.0), "the shape tells it: {} {}", shape(0.02), shape(0.0));
+    for off in [0.03, -0.03] {
+        let left = middle::centred(&dented, by(off)).offset - truth.offset;
+        assert!(left.abs() < 0.006, "{left} from {off}");
+    }
+    let found = find(&dented, &case.seen(), Use::Auto)[0];
+    let off = |plane: Plane| plane.offset - truth.offset;
+    assert!(found.used() && off(found.fit.plane) > 0.01 && off(found.plane).abs() < 0.008, "{found:?}");
+}
+
 /// Seen square to its long side, so that no two of the points it shows are each other's mirror image.
 fn broadside(g: Gaussians) -> Case {
     let camera = views::orbit(0.0, 0.0, views::DISTANCE, 192);

@@ -149,8 +149,9 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
     Ok(json!({
         "name": truth.name,
         "mesh_seconds": mesh_seconds,
-        "symmetry": done.symmetry.iter().map(|found @ Found { fit: f, basis }| json!({
-            "used": found.used(), "basis": basis.map(Basis::label), "normal": f.plane.normal.to_array(), "offset": f.plane.offset, "shape": f.shape,
+        "symmetry": done.symmetry.iter().map(|found @ Found { fit: f, plane, basis }| json!({
+            "used": found.used(), "basis": basis.map(Basis::label), "normal": plane.normal.to_array(), "offset": plane.offset,
+            "offset_by_shape": f.plane.offset, "shape": f.shape,
             "contradicted": f.contradicted, "color": f.color, "pairs": f.pairs, "hidden": f.hidden,
             "silhouette": f.silhouette, "elongation": f.elongation, "stray": f.stray })).collect::<Vec<_>>(),
         "mesh": scores(&shape),

@@ -100,13 +100,16 @@ pub fn params(
     let planes = symmetry::used(&done.symmetry).len();
     add("symmetry_applied", Some(Param::Bool(planes > 0)));
     add("symmetry_planes_used", Some(Param::Int(planes as i64)));
-    for (Found { fit, basis }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
+    for (Found { fit, plane, basis }, which) in done.symmetry.iter().zip(["symmetry", "symmetry_second"]) {
         let n = fit.plane.normal;
         add(&format!("{which}_basis"), basis.map(|b| text(b.label().to_owned())));
         let bearing = f64::from(n.x.atan2(n.y)).to_degrees() + placed.placement.heading;
         let distance = f64::from(fit.shape) * placed.scale.metres_per_unit;
         add(&format!("{which}_plane_normal_bearing_deg"), Some(text(format!("{:.1}", bearing.rem_euclid(360.0)))));
         add(&format!("{which}_shape_distance_m"), Some(text(format!("{distance:.4}"))));
+        // Against the shape's choice; away from the photo's camera is below 0.
+        let moved = f64::from(plane.offset - fit.plane.offset) * placed.scale.metres_per_unit;
+        add(&format!("{which}_moved_m"), basis.map(|_| text(format!("{moved:.4}"))));
         add(&format!("{which}_contradicted"), share(fit.contradicted));
         add(&format!("{which}_colour_difference"), share(fit.color));
         add(&format!("{which}_silhouette_iou"), share(fit.silhouette));
