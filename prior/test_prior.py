@@ -79,7 +79,7 @@ def test_bounding_boxes_fit():
 def test_enumerations_of_the_kernel_are_those_of_the_layout():
     kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
     for name in ("BOX BALL CYL TUBE PRISM LEAVES BARS RUNGS LATTICE GRID SPOKES OPEN_SKY LANDSCAPE WALL NOISE_ROOM "
-                 "CLUTTER TREES TOWN NO_CASTER ROOFLINE CROWN POSTS EARTH TILED PAVED GRASS WATER PLANKED CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
+                 "CLUTTER TREES TOWN ROOM NO_CASTER ROOFLINE CROWN POSTS EARTH TILED PAVED GRASS WATER PLANKED RUNWAY CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
         assert kernel[name] == getattr(layout, name), name
 
 

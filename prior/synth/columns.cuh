@@ -10,9 +10,10 @@ enum { SUN = 0, SUNLIGHT = 3, ZENITH = 6, HORIZON = 9, GROUND_A = 12, GROUND_B =
        AMBIENT = 19, GROUND_KIND = 20, BACKDROP = 21, SEED = 22, GROUND_Z = 23, WALL_X = 24, WALL_Y = 25,
        WALL_DISTANCE = 26, CLOUDS = 27, HILLS = 28, HILL_COLOUR = 29, SUN_SIZE = 32, FOG = 33, WALL_KIND = 34,
        SCALE = 35, LEFT_OPEN = 36, SKY_FILL = 37, CASTER = 38, CASTER_FREQUENCY = 39 };
-enum { OPEN_SKY = 0, LANDSCAPE = 1, WALL = 2, NOISE_ROOM = 3, CLUTTER = 4, TREES = 5, TOWN = 6 };
+enum { OPEN_SKY = 0, LANDSCAPE = 1, WALL = 2, NOISE_ROOM = 3, CLUTTER = 4, TREES = 5, TOWN = 6,
+       ROOM = 7 };
 enum { NO_CASTER = 0, ROOFLINE = 1, CROWN = 2, POSTS = 3 };
-enum { EARTH = 0, TILED = 1, PAVED = 2, GRASS = 3, WATER = 4, PLANKED = 5 };
+enum { EARTH = 0, TILED = 1, PAVED = 2, GRASS = 3, WATER = 4, PLANKED = 5, RUNWAY = 6 };
 
 __device__ inline void rotate(const float* R, float x, float y, float z, float* out) {
     out[0] = R[0] * x + R[1] * y + R[2] * z;

@@ -3,12 +3,25 @@
 import torch
 
 from .cameras import fixed
-from .layout import EARTH, ENVIRONMENT_FLOATS, GRASS, NO_CASTER, NOISE_ROOM, PLANKED, TREES, WALL
+from .layout import (
+    EARTH,
+    ENVIRONMENT_FLOATS,
+    GRASS,
+    NO_CASTER,
+    NOISE_ROOM,
+    OPEN_SKY,
+    PLANKED,
+    ROOM,
+    RUNWAY,
+    TREES,
+    WALL,
+    WATER,
+)
 
-# Open sky, landscape, wall, room of noise, clutter, trees, town.
-BACKDROP_CHANCES = [0.16, 0.17, 0.19, 0.05, 0.12, 0.17, 0.14]
-# Earth, tiles, paving, grass, water, planks.
-GROUND_CHANCES = [0.4, 0.1, 0.16, 0.18, 0.06, 0.1]
+# Open sky, landscape, wall, room of noise, clutter, trees, town, room.
+BACKDROP_CHANCES = [0.16, 0.16, 0.18, 0.04, 0.11, 0.16, 0.13, 0.06]
+# Earth, tiles, paving, grass, water, planks, runway.
+GROUND_CHANCES = [0.36, 0.1, 0.15, 0.18, 0.06, 0.1, 0.05]
 # Clear, overcast, low sun, night, studio.
 WEATHER_CHANCES = [0.37, 0.24, 0.15, 0.07, 0.17]
 DAY_CHANCES = [0.68, 0.14, 0.18, 0, 0]
@@ -79,16 +92,24 @@ def environments(n, ground, device="cuda", daylight=None):
     wooden = (ground_kind == PLANKED) & (uniform(0, 1) < 0.7)
     wood = fixed((1.3, 0.8, 0.45), device)
     ground_a = torch.where(wooden, uniform(0.08, 0.5) * wood, ground_a).clamp(0.02, 0.95)
-    natural = fixed(NATURAL_GROUNDS, device)[torch.randint(len(NATURAL_GROUNDS), (n,), device=device)]
+    which = torch.randint(len(NATURAL_GROUNDS), (n,), device=device)
+    runway = ground_kind == RUNWAY
+    natural = fixed(NATURAL_GROUNDS, device)[torch.where(runway[:, 0], which % 3, which)]
     natural = natural * torch.exp(uniform(-0.5, 0.5)) * (1 + 0.06 * normal())
-    ground_a = torch.where(day & ~grassy & ~wooden, natural, ground_a).clamp(0.02, 0.95)
+    ground_a = torch.where(runway | (day & ~grassy & ~wooden), natural, ground_a).clamp(0.02, 0.95)
     ground_b = (ground_a * uniform(0.4, 1.7) + torch.where(day, 0.01, 0.05) * normal()).clamp(0.02, 0.95)
 
     # Asphalt, concrete, a mown lawn: one tone, and what is dark on it is a shadow.
     plain = uniform(0, 1) < 0.3
     ground_b = torch.where(plain, (ground_a * uniform(0.88, 1.1)).clamp(0.02, 0.95), ground_b)
 
+    # White or yellow paint.
+    yellow = fixed((0.95, 0.65, 0.08), device)
+    paint = uniform(0.45, 0.9) * torch.where(uniform(0, 1) < 0.4, yellow, torch.ones_like(yellow))
+    ground_b = torch.where(runway, paint, ground_b)
+
     backdrop = drawn(BACKDROP_CHANCES)
+    backdrop = torch.where(day & (backdrop == ROOM), torch.full_like(backdrop, OPEN_SKY), backdrop)
     wall_azimuth = uniform(0, 6.283)
     hills = (uniform(0.05, 0.5) + 0.1 * normal()).clamp(0.02, 0.9)
     leafy = (backdrop == TREES) & (uniform(0, 1) < 0.85)
@@ -102,13 +123,19 @@ def environments(n, ground, device="cuda", daylight=None):
     ground_a, ground_b, hills = (torch.where(studio, even * uniform(0.93, 1.03), c) for c in (ground_a, ground_b, hills))
     backdrop = torch.where(studio, torch.where(uniform(0, 1) < 0.5, WALL, NOISE_ROOM), backdrop)
     wall_kind = torch.where(studio, torch.zeros_like(wall_kind), wall_kind)
+    # Indoors: lamps and windows, no sun to speak of.
+    room = backdrop == ROOM
+    sunlight = torch.where(room, sunlight * uniform(0, 0.5), sunlight)
+    sun_size = torch.where(room, uniform(0.1, 0.5), sun_size)
+    outdoors = (ground_kind == GRASS) | (ground_kind == WATER) | (ground_kind == RUNWAY)
+    ground_kind = torch.where(room & outdoors, torch.full_like(ground_kind, PLANKED), ground_kind)
     ground_kind = torch.where(studio, torch.full_like(ground_kind, EARTH), ground_kind)
 
-    ambient = torch.where(dull | studio, uniform(0.6, 1.15), uniform(0.14, 0.8))
+    ambient = torch.where(dull | studio | room, uniform(0.6, 1.15), uniform(0.14, 0.8))
     # The sky's share on level ground: a ninth of the sun's on a clear noon, two thirds under haze.
     level = sunlight[:, 1:2] * sun[:, 2:].clamp(min=0.25)
     ambient = torch.where(day & ~dull, (level * torch.exp(uniform(-2.2, -0.4))).clamp(0.05, 0.9), ambient)
-    deep = ~(dull | studio | day) & (uniform(0, 1) < 0.25)
+    deep = ~(dull | studio | room | day) & (uniform(0, 1) < 0.25)
     ambient = torch.where(deep, uniform(0.06, 0.22), ambient)
     ambient = torch.where(night, uniform(0.12, 0.45), ambient)
     fog = torch.where(uniform(0, 1) < 0.2, uniform(0, 0.08), uniform(0, 0.008))
@@ -127,7 +154,7 @@ def environments(n, ground, device="cuda", daylight=None):
     ]
     last = [sun_size, fog, wall_kind.float(), torch.exp(uniform(-0.3, 1.9))]
     casters = drawn(CASTER_CHANCES)
-    casters = torch.where(dull | studio, torch.full_like(casters, NO_CASTER), casters)
+    casters = torch.where(dull | studio | room, torch.full_like(casters, NO_CASTER), casters)
     casters = torch.where(day & (uniform(0, 1) < 0.6), torch.full_like(casters, NO_CASTER), casters)
     last += [uniform(0.12, 0.55), uniform(0, 1) ** 1.5, casters.float(), torch.exp(uniform(0.2, 2.0))]
     rows = torch.cat([sun, sunlight, zenith, horizon, ground_a, ground_b, *rest, hills, *last], 1)

@@ -137,6 +137,18 @@ __device__ void paint(const float* q, const float* p, float* colour) {
 
 // ---------------------------------------------------------------- surroundings
 
+// How much of a runway's paint lies at a point: centre line, edge lines and threshold bars, along the wall's direction.
+__device__ float runway_paint(const float* E, float x, float y, float f) {
+    float finer = .6f + .2f * sqrtf(f), along = (x * E[WALL_X] + y * E[WALL_Y]) * finer;
+    int s = (int)E[SEED];
+    float across = (y * E[WALL_X] - x * E[WALL_Y]) * finer + 3 * hash01(s, 2, 6) - 1.5f, aside = fabsf(across);
+    along += 9 * hash01(s, 3, 6);
+    bool dash = aside < .07f && part(along * .3f) < .6f, edge = fabsf(aside - 2.2f) < .05f;
+    bool bars = part(along * .06f) < .09f && aside > .2f && aside < 2 && part(across * 1.7f) < .55f;
+    float worn = .55f + .9f * fractal_noise(x * 9 + E[SEED], y * 9, 3);
+    return dash || edge || bars ? fminf(1.f, worn) : 0;
+}
+
 __device__ void ground_colour(const float* E, float x, float y, float distance, float* colour) {
     float f = E[GROUND_FREQUENCY], seed = E[SEED];
     int kind = (int)(E[GROUND_KIND] + .5f);
@@ -154,13 +166,17 @@ __device__ void ground_colour(const float* E, float x, float y, float distance, 
         coarse_part = .15f;
         int plank = floorf(y * f);
         detail = part(y * f) < .04f ? 1 : .5f * value_noise(x * f * .7f + 5 * plank, y * f * 8, seed) + .3f * hash01(plank, 1, 2);
+    } else if (kind == RUNWAY) {
+        coarse_part = .12f;
+        detail = runway_paint(E, x, y, f);
     } else {
         detail = .25f * value_noise(x * f * 6, y * f * 6, seed);
     }
     float fine = value_noise(x * f * 23, y * f * 23, seed);
     float patch = fractal_noise(x * f * .4f + 9, y * f * .4f, seed);
-    float patches = E[HILLS] > 1.4f ? .8f * (patch > .52f) : 0.f;
-    float k = fminf(1.f, coarse * coarse_part + detail + (E[CLOUDS] - .4f) * .6f * (fine - .5f) + patches);
+    float patches = E[HILLS] > 1.4f && kind != RUNWAY ? .8f * (patch > .52f) : 0.f;
+    float rough = (kind == RUNWAY ? .1f : .6f) * (E[CLOUDS] - .4f) * (fine - .5f);
+    float k = fmaxf(kind == RUNWAY ? 0.f : -1e8f, fminf(1.f, coarse * coarse_part + detail + rough + patches));
     float haze = fminf(1.f, distance / 50);
     for (int i = 0; i < 3; i++) {
         float c = E[GROUND_A + i] * (1 - k) + E[GROUND_B + i] * k;
@@ -168,8 +184,9 @@ __device__ void ground_colour(const float* E, float x, float y, float distance, 
     }
 }
 
-__device__ void wall_colour(const float* E, float x, float y, float z, float* colour) {
-    float f = E[SCALE], u = (x * E[WALL_Y] - y * E[WALL_X]) * f + E[SEED];
+// Of the wall with the level normal n.
+__device__ void wall_colour(const float* E, const float* n, float x, float y, float z, float* colour) {
+    float f = E[SCALE], u = (x * n[1] - y * n[0]) * f + E[SEED];
     int kind = (int)(E[WALL_KIND] + .5f);
     float g = fractal_noise(u, z * f, E[SEED]);
     if (kind > 0) g = .25f * g + .75f * pattern_weight(kind, u, 0, z * f);
@@ -261,14 +278,31 @@ __device__ void sky_colour(const float* E, int backdrop, const float* d, float* 
     if (backdrop == TOWN) town_colour(E, azimuth, d[2], colour);
 }
 
-// Ground, wall or sky. Returns whether there is a surface; then t is its distance and N its normal.
+// A ceiling with lamps.
+__device__ void ceiling_colour(const float* E, float x, float y, float* colour) {
+    float u = x * E[WALL_X] + y * E[WALL_Y], v = y * E[WALL_X] - x * E[WALL_Y];
+    bool lamp = part(u * .35f) < .3f && part(v * .7f) < .2f;
+    for (int i = 0; i < 3; i++) colour[i] = lamp ? 1 : (.4f + .5f * E[HORIZON + i]) * (.85f + .3f * fractal_noise(x, y, E[SEED]));
+}
+
+// Ground, walls, ceiling or sky. Returns whether there is a surface; then t is its distance and N its normal.
 __device__ bool surroundings(const float* E, const float* o, const float* d, float& t, float* N, float* colour) {
     int backdrop = (int)(E[BACKDROP] + .5f);
-    float to_ground = (E[GROUND_Z] - o[2]) / d[2], to_wall = 1e8f;
-    if (backdrop == WALL) {
-        float facing = d[0] * E[WALL_X] + d[1] * E[WALL_Y];
-        if (facing < -1e-4f) to_wall = (-E[WALL_DISTANCE] - o[0] * E[WALL_X] - o[1] * E[WALL_Y]) / facing;
-        if (to_wall < 0) to_wall = 1e8f;
+    float to_ground = (E[GROUND_Z] - o[2]) / d[2], to_wall = 1e8f, to_ceiling = 1e8f, wall[2] = {0, 0};
+    // One wall, or a room's four; seen from inside alone, so that no camera is walled out.
+    for (int k = 0; k < (backdrop == ROOM ? 4 : backdrop == WALL); k++) {
+        float sign = k < 2 ? 1.f : -1.f, away = E[WALL_DISTANCE] * (k ? .7f + .6f * hash01((int)E[SEED], k, 4) : 1);
+        float n[2] = {sign * (k & 1 ? -E[WALL_Y] : E[WALL_X]), sign * (k & 1 ? E[WALL_X] : E[WALL_Y])};
+        float facing = d[0] * n[0] + d[1] * n[1];
+        float to = facing < -1e-4f ? (-away - o[0] * n[0] - o[1] * n[1]) / facing : -1;
+        if (to < 0 || to >= to_wall) continue;
+        to_wall = to;
+        wall[0] = n[0];
+        wall[1] = n[1];
+    }
+    if (backdrop == ROOM && d[2] > 1e-4f) {
+        to_ceiling = (E[GROUND_Z] + 2.2f + 2 * hash01((int)E[SEED], 6, 1) - o[2]) / d[2];
+        if (to_ceiling < 0) to_ceiling = 1e8f;
     }
     bool on_ground = backdrop != NOISE_ROOM && d[2] < -1e-4f && to_ground > 0 && to_ground < to_wall && to_ground < 60;
     if (on_ground) {
@@ -284,12 +318,19 @@ __device__ bool surroundings(const float* E, const float* o, const float* d, flo
         }
         return true;
     }
-    if (backdrop == WALL && to_wall < 1e7f) {
+    if (to_ceiling < fminf(to_wall, 1e7f)) {
+        t = to_ceiling;
+        N[0] = N[1] = 0;
+        N[2] = -1;
+        ceiling_colour(E, o[0] + t * d[0], o[1] + t * d[1], colour);
+        return true;
+    }
+    if (to_wall < 1e7f) {
         t = to_wall;
-        N[0] = E[WALL_X];
-        N[1] = E[WALL_Y];
+        N[0] = wall[0];
+        N[1] = wall[1];
         N[2] = 0;
-        wall_colour(E, o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2], colour);
+        wall_colour(E, wall, o[0] + t * d[0], o[1] + t * d[1], o[2] + t * d[2], colour);
         return true;
     }
     sky_colour(E, backdrop, d, colour);
