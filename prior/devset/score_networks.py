@@ -1,6 +1,6 @@
 """Score both networks alone, nothing after them: the figures of the README's tables.
 
-    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS [--lpips LPIPS.onnx]   # networks: .onnx, or .pt of a training
+    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS [--lpips LPIPS.onnx] [--widen 1]   # networks: .onnx, or .pt of a training
 
 DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks of PHOTOS are those in `real/masks`. Prints
 
@@ -12,6 +12,7 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
   views within 60 degrees of the photo at that scale, the same three at the scale and shift that fit the silhouettes best (nor does
   a photo show the box's middle: `score.better_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
   `dist`, normalised as ImageNet's networks want it), its means over the views in its own unit and so placed, drawn on to 256 x 256.
+  `--widen 1` widens the Gaussians as the pictures did that versions up to 0.6 learned by, `BLUR`; since 0.7 pictures are true to size.
 """
 
 import argparse
@@ -35,6 +36,8 @@ from score import better_place
 SCALES = (1.0, 0.94, 1.07, 1.15)
 FITS = 3  # steps of the scale and shift that fit best
 EVERY = 4  # of the 24 views
+# Standard deviation of 0.3 square pixels (Kerbl et al. 2023) of 128 over 30 degrees, at the subject's centre.
+BLUR = math.sqrt(0.3) * 2 * SplatNet.DIST * math.tan(math.radians(15)) / 128
 # Mean and deviation, [1, 3, 1, 1], of the colours that LPIPS' network was trained on.
 IMAGENET = np.array([[0.485, 0.456, 0.406], [0.229, 0.224, 0.225]], np.float32).reshape(2, 1, 3, 1, 1)
 
@@ -97,12 +100,13 @@ def lpips(graph, drawn, truth):
 
 
 @torch.no_grad()
-def score_shape(splat, folder, cameras, graph):
+def score_shape(splat, folder, cameras, graph, widen):
     """`view_figures` of one object, the error of its elevation before LPIPS."""
     views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
     truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
     colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
     answer = splat(evaluate.crop(photo_of(folder, "plain"), evaluate.true_mask(folder / "mask.png")))
+    answer["scale"] = (answer["scale"] ** 2 + (widen * BLUR) ** 2).sqrt()
     elevation = answer["elevation"][0, 0]
     azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
     figures, perceived = view_figures(answer, azimuth, size, views, colour, alpha, graph)
@@ -135,11 +139,11 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
     return [*own, best, *(scores[best][k] for k in kinds), *(placed[k] for k in kinds)], perceived
 
 
-def score_shapes(splat, objects, graph):
+def score_shapes(splat, objects, graph, widen):
     rows = []
     print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; these three placed best; elevation error; LPIPS, both")
     for folder, cameras in objects:
-        rows.append(score_shape(splat, folder, cameras, graph))
+        rows.append(score_shape(splat, folder, cameras, graph, widen))
         print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
     print("shapes, mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
 
@@ -151,6 +155,7 @@ def main():
     parser.add_argument("devset", type=Path)
     parser.add_argument("photos", type=Path)
     parser.add_argument("--lpips")
+    parser.add_argument("--widen", type=float, default=0.0)
     args = parser.parse_args()
     graph = None
     if args.lpips:
@@ -163,7 +168,7 @@ def main():
     score_real(scene, args.photos)
     for kind in ("plain", "outdoor"):
         score_photos(scene, splat, objects, kind)
-    score_shapes(splat, objects, graph)
+    score_shapes(splat, objects, graph, args.widen)
 
 
 if __name__ == "__main__":
