@@ -93,7 +93,7 @@ def environments(n, ground, device="cuda", daylight=None):
     wood = fixed((1.3, 0.8, 0.45), device)
     ground_a = torch.where(wooden, uniform(0.08, 0.5) * wood, ground_a).clamp(0.02, 0.95)
     which = torch.randint(len(NATURAL_GROUNDS), (n,), device=device)
-    runway = ground_kind == RUNWAY
+    runway = ground_kind == RUNWAY  # asphalt or concrete
     natural = fixed(NATURAL_GROUNDS, device)[torch.where(runway[:, 0], which % 3, which)]
     natural = natural * torch.exp(uniform(-0.5, 0.5)) * (1 + 0.06 * normal())
     ground_a = torch.where(runway | (day & ~grassy & ~wooden), natural, ground_a).clamp(0.02, 0.95)

@@ -175,8 +175,9 @@ __device__ void ground_colour(const float* E, float x, float y, float distance, 
     float fine = value_noise(x * f * 23, y * f * 23, seed);
     float patch = fractal_noise(x * f * .4f + 9, y * f * .4f, seed);
     float patches = E[HILLS] > 1.4f && kind != RUNWAY ? .8f * (patch > .52f) : 0.f;
-    float rough = (kind == RUNWAY ? .1f : .6f) * (E[CLOUDS] - .4f) * (fine - .5f);
-    float k = fmaxf(kind == RUNWAY ? 0.f : -1e8f, fminf(1.f, coarse * coarse_part + detail + rough + patches));
+    // Between asphalt and paint lies nothing.
+    float rough = kind == RUNWAY ? 0.f : (E[CLOUDS] - .4f) * .6f * (fine - .5f);
+    float k = fminf(1.f, coarse * coarse_part + detail + rough + patches);
     float haze = fminf(1.f, distance / 50);
     for (int i = 0; i < 3; i++) {
         float c = E[GROUND_A + i] * (1 - k) + E[GROUND_B + i] * k;

@@ -2,7 +2,7 @@
 //!
 //! Surfaces do not tell it: the near side, which the photo shows, is solid, the far side more or less fog, and what counts as
 //! fog's surface (half of the light gone) lies deeper than its silhouette has it. Planes that the shape chose stood 0.02 of the
-//! bounding sphere's radius too near to the camera, so that a completed car was 0.04 too narrow.
+//! bounding sphere's radius too near to the camera, so that a completed car was 0.05 too narrow.
 
 use rayon::prelude::*;
 
