@@ -137,6 +137,9 @@ def mask_iou(logits, alpha):
 CAMERA_WEIGHTS = (0.3, 0.3, 0.3, 0.05)
 # Pixels of the squares whose mean colour a texture leaves as it is, about.
 PATCH = 8
+# Parts narrower than so many pixels are slender, and so much more their pixels count, and those beside them.
+NARROW = 7
+SLENDER_WEIGHT = 2.0
 
 
 def splat_step(net, pool, n, heed=None):
@@ -153,7 +156,7 @@ def splat_step(net, pool, n, heed=None):
     answer, alpha = made[:, :, :3], made[:, :, 3:]
     truth = batch.colour + (1 - batch.alpha) * background
 
-    weight = importance(batch)
+    weight = importance(batch) * (1 + SLENDER_WEIGHT * slender(batch.alpha))
     error = answer - truth
     coarse = loosened(error, batch.dressed)
     colour_loss = (weight * (coarse.abs() * 0.8 + coarse * coarse)).mean()
@@ -281,6 +284,17 @@ def importance(batch):
     return weight / weight.mean().clamp(min=1e-3)
 
 
+def slender(alpha):
+    """Where coverage [n, V, 1, S, S] is of parts narrower than `NARROW` pixels and up to two pixels beside them, 0..1.
+
+    Coverage less its opening by a square, the white top-hat (Serra 1982): blades, posts, legs and rails, and sharp corners.
+    """
+    flat = alpha.flatten(0, 1)
+    eroded = -F.max_pool2d(-flat, NARROW, 1, NARROW // 2)
+    narrow = flat - F.max_pool2d(eroded, NARROW, 1, NARROW // 2)
+    return F.max_pool2d(narrow, 5, 1, 2).clamp(0, 1).reshape(alpha.shape)
+
+
 def silhouette_losses(alpha, truth):
     """1 - Dice of each view's coverage, [n, V, 1, 1, 1], of [n, V, 1, S, S]: the same for slender subjects as for full ones."""
     overlap = (alpha * truth).sum((2, 3, 4), keepdim=True)
@@ -298,9 +312,11 @@ def pooled(x, step):
 
 
 def front_depth_loss(depth, batch):
-    """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject; each subject counts alike."""
+    """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject; each subject counts alike,
+    its slender parts more than the rest of it: a depth that is a little off moves them by more than their width."""
     valid = front_seen(batch)
-    each = ((depth - batch.front).abs() * valid).sum((1, 2)) / valid.sum((1, 2)).clamp(min=1)
+    weight = valid * (1 + SLENDER_WEIGHT * slender(valid[:, None, None].float())[:, 0, 0])
+    each = ((depth - batch.front).abs() * weight).sum((1, 2)) / weight.sum((1, 2)).clamp(min=1)
     return each.sum() / valid.any(2).any(1).sum().clamp(min=1)
 
 

@@ -45,19 +45,17 @@ class Muon(torch.optim.Optimizer):
     @torch.no_grad()
     def step(self):
         for group in self.param_groups:
-            params, (m, n) = group["params"], group["shape"]
-            for p in params:
-                if "momentum" not in self.state[p]:
-                    self.state[p]["momentum"] = torch.zeros_like(p)
+            params, parts, (m, n) = group["params"], group["parts"], group["shape"]
             left_out = 0.0 if self.found_inf is None else self.found_inf
-            gradients = [p.grad.nan_to_num(0, 0, 0) * (1 - left_out) for p in params]
-            moments = [self.state[p]["momentum"] for p in params]
-            torch._foreach_lerp_(moments, gradients, 1 - group["momentum"])
+            gradients = torch.stack([p.grad.reshape(parts, m, n) for p in params]).flatten(0, 1).nan_to_num(0, 0, 0) * (1 - left_out)
+            # One tensor for all matrices of a shape, kept with the first: a step is a few kernels a shape, not a matrix.
+            state = self.state[params[0]]
+            if "momentum" not in state:
+                state["momentum"] = torch.zeros_like(gradients)
+            momentum = state["momentum"].lerp_(gradients, 1 - group["momentum"])
             # Nesterov's look ahead.
-            ahead = torch._foreach_lerp(gradients, moments, group["momentum"])
-            stacked = torch.stack([a.reshape(group["parts"], m, n) for a in ahead]).flatten(0, 1)
-            steps = orthogonalised(stacked).to(params[0].dtype).unflatten(0, (len(params), group["parts"]))
-            scale = group["lr"] * USUAL * max(m, n) ** 0.5 * (1 - left_out)
-            for p, step in zip(params, steps, strict=True):
-                p.mul_(1 - group["lr"] * group["weight_decay"] * (1 - left_out))
-                p.sub_(step.reshape(p.shape) * scale)
+            steps = orthogonalised(gradients.lerp(momentum, group["momentum"])).to(gradients.dtype)
+            steps *= group["lr"] * USUAL * max(m, n) ** 0.5 * (1 - left_out)
+            kept = 1 - group["lr"] * group["weight_decay"] * (1 - left_out)
+            torch._foreach_mul_(params, kept)
+            torch._foreach_sub_(params, [s.reshape(p.shape) for p, s in zip(params, steps.split(parts), strict=True)])

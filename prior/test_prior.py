@@ -106,6 +106,104 @@ def test_generated_batches_are_finite_and_points_lie_on_subjects():
     assert (scenes.alpha.flatten(1)[torch.arange(8), at][given] > 0.5).all()
 
 
+def test_water_takes_what_it_hides_and_shows_the_rest_once_more():
+    torch = pytest.importorskip("torch")
+    from synth import water
+
+    torch.manual_seed(3)
+    alpha = torch.zeros(300, 60, 60)
+    alpha[:, 20:40, 25:35] = 1
+    pool = water.waters(alpha)
+    pool = pool._replace(clear=torch.full((300,), 1.0))
+    wet = (pool.below > 0).any(1)
+    assert 5 < wet.sum() < 40
+    above, shade = water.above_water(alpha, torch.zeros_like(alpha), pool)
+    assert torch.equal(above[~wet], alpha[~wet]) and shade[~wet].max() == 0
+    assert above[wet].sum() <= alpha[wet].sum() and (above[wet].flatten(1).sum(1) >= 0.7 * 200).all()
+    # The image stands below the line, upside down, about as large as what is left of the subject.
+    assert (shade[wet] * above[wet]).max() == 0
+    assert (shade[wet].flatten(1).sum(1) > 0.5 * above[wet].flatten(1).sum(1)).all()
+    picture = alpha[:, None].expand(-1, 3, -1, -1)
+    shown = water.flooded(picture, pool)
+    assert torch.equal(shown[~wet], picture[~wet])
+    assert (shown[wet][:, 0] - above[wet]).flatten(1).sum(1).min() > 20
+
+
+def test_lenses_bend_a_third_of_the_photos_and_leave_the_middle_of_their_sides():
+    torch = pytest.importorskip("torch")
+    from synth.lens import bent
+
+    torch.manual_seed(4)
+    grid = bent(300, 33, "cpu")
+    straight = (torch.arange(33) + 0.5) * (2 / 33) - 1
+    off = (grid[..., 0] - straight).abs().amax((1, 2))
+    assert 60 < (off > 1e-6).sum() < 140
+    # At the middle of a side r is 1 but for half a pixel.
+    assert (grid[:, 16, 0, 0] - straight[0]).abs().max() < 0.12 * 0.07
+    assert off.max() < 0.12 * 1.02 * 1.01
+
+
+def test_slender_is_what_is_narrow():
+    torch = pytest.importorskip("torch")
+    from losses import slender
+
+    alpha = torch.zeros(1, 2, 1, 64, 64)
+    alpha[0, 0, 0, 20:44, 20:44] = 1
+    alpha[0, 1, 0, :, 30:33] = 1
+    found = slender(alpha)[0, :, 0]
+    assert found[0].max() == 0
+    assert (found[1, :, 28:35] == 1).all() and found[1, :, :28].max() == 0 and found[1, :, 35:].max() == 0
+
+
+def test_muon_moves_each_matrix_as_if_it_were_alone():
+    torch = pytest.importorskip("torch")
+    from muon import USUAL, Muon, orthogonalised
+
+    torch.manual_seed(5)
+    qkv, wide, conv = torch.randn(12, 4), torch.randn(12, 4), torch.randn(8, 2, 3, 3)
+    params = {name: torch.nn.Parameter(w.clone()) for name, w in (("b.qkv.weight", qkv), ("c.qkv.weight", wide), ("a.weight", conv))}
+    for p in params.values():
+        p.grad = torch.randn_like(p)
+    muon = Muon(params.items(), lr=0.1, weight_decay=0.5, parts={"qkv": 3})
+    muon.found_inf = torch.tensor(0.0)
+    muon.step()
+    for name, before in (("b.qkv.weight", qkv), ("c.qkv.weight", wide), ("a.weight", conv)):
+        for at in range(3 if "qkv" in name else 1):
+            rows = slice(4 * at, 4 * at + 4) if "qkv" in name else slice(None)
+            gradient = params[name].grad[rows].flatten(1)
+            # The first momentum is a twentieth of the gradient, Nesterov's look ahead as long in its direction.
+            step = orthogonalised(gradient[None])[0].float().reshape(before[rows].shape) * 0.1 * USUAL * max(gradient.shape) ** 0.5
+            torch.testing.assert_close(params[name].data[rows], before[rows] * 0.95 - step, atol=2e-3, rtol=0.02)
+    kept = {name: p.detach().clone() for name, p in params.items()}
+    params["a.weight"].grad[0] = float("nan")
+    muon.found_inf = torch.tensor(1.0)
+    muon.step()
+    assert all(torch.equal(kept[name], p) for name, p in params.items())
+
+
+def test_a_new_critic_tells_pictures_apart():
+    torch = pytest.importorskip("torch")
+    from critic import Critic
+
+    torch.manual_seed(6)
+    critic = Critic().train()
+    pictures = torch.rand(6, 8, 128, 128)
+    with torch.no_grad():
+        for _ in range(4):  # the spectral norms settle
+            patches, whole, features = critic(pictures)
+    assert whole.std() > 0.1 and patches.std() > 0.1
+    assert all(0.1 < f.std() < 50 for f in features)
+
+
+def test_what_is_held_does_not_learn():
+    pytest.importorskip("torch")
+    from train import learns
+
+    assert learns("net.mid.0.o.weight", "scene", []) and not learns("net.mid.0.o.weight", "scene", ["net.mid"])
+    assert learns("net.up.0.0.a.weight", "scene", ["net.mid"])
+    assert learns("er.a.weight", "error", []) and not learns("er.a.weight", "splat", [])
+
+
 def test_the_closer_picture_and_the_cut_out_mask_show_the_same():
     torch = pytest.importorskip("torch")
     from synth.batches import make_pool, seen_by, staged

@@ -36,6 +36,7 @@ STOP_EVERY = 20  # steps between two looks at the clock that all ranks share
 AVERAGE_EVERY = 4
 WARM_UP = 300  # steps
 CRITIC_WARM_UP = 800  # steps until a critic counts whole
+CRITIC_LR = 3e-4  # its own: it begins late, when the network's is falling
 SPIKE = 6  # times the usual gradient: such a step is left out
 
 
@@ -58,6 +59,7 @@ def arguments():
     parser.add_argument("--critic-from", type=float, default=0, help="share of the schedule that passes before there is a critic")
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
+    parser.add_argument("--hold", nargs="*", default=[], help="parameters whose names begin so stay as they are, net.mid for one")
     parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
     parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (two minutes, then faster)")
     return parser.parse_args()
@@ -152,7 +154,7 @@ def train(net, take_step, optimizers, average, adversary, pool, args, spent, ste
             group["lr"] = lr
         heed = {}
         if adversary and done >= args.critic_from:
-            adversary.follow(lr, min(1, adversary.turns / CRITIC_WARM_UP) * args.critic)
+            adversary.follow(CRITIC_LR, min(1, adversary.turns / CRITIC_WARM_UP) * args.critic)
             heed = {"heed": adversary.heeded}
         loss, figures, columns = take_step(model, pool, args.batch, **heed)
         for o in optimizers:
@@ -196,9 +198,10 @@ def save(net, average, optimizers, adversary, spent, step, path):
         os.replace(name + ".new", name)
 
 
-def initialised(which, init, pool, masks):
-    """The network that `which` trains on the GPU, with the weights of the file `init` if one is given. What is new in it is the
-    same whatever the seed: of trainings that began alike the mean is a network again."""
+def initialised(which, init, hold, pool, masks):
+    """The network that `which` trains on the GPU, with the weights of the file `init` if one is given; parameters whose names
+    begin as one of `hold` stay as they are. What is new in it is the same whatever the seed: of trainings that began alike the
+    mean is a network again."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(0)
         net = NETS["splat" if which == "error" else which]()
@@ -209,10 +212,14 @@ def initialised(which, init, pool, masks):
     elif init:
         load_weights(net, init)
     net = net.cuda().to(memory_format=torch.channels_last).train()
-    # The expected error learns when all else is settled.
     for name, parameter in net.named_parameters():
-        parameter.requires_grad_(name.startswith("er.") == (which == "error"))
+        parameter.requires_grad_(learns(name, which, hold))
     return net.eval() if which == "error" else net
+
+
+def learns(name, which, hold):
+    """Whether the training of `which` moves the parameter `name`: the expected error learns when all else is settled."""
+    return name.startswith("er.") == (which == "error") and not name.startswith(tuple(hold))
 
 
 def masks_of(path):
@@ -252,7 +259,7 @@ def main():
     pool = make_pool(first_object, args.pool, max(2, args.processes // world))
 
     masks = masks_of(args.rough) if args.net == "detail" else None
-    net = initialised(args.net, "" if saved else args.init, pool, masks)
+    net = initialised(args.net, "" if saved else args.init, args.hold, pool, masks)
     average = Average(net)
     optimizers = optimizers_of(net, args)
     adversary = Adversary(args.critic_init) if args.critic and args.net == "splat" else None

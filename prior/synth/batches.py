@@ -37,12 +37,15 @@ from .layout import (
     SUBJECT,
     TAPER,
 )
-from .lens import coarsened, defocused, exposed, stored
+from .lens import bent, coarsened, defocused, exposed, stored
 from .masks import damaged, leaked
 from .objects import COMPANIONS, SLENDER, make_object
 from .raycast import cast
 from .textures import make_bank, textured
+from .water import above_water, flooded, waters
 
+# Of SplatNet's subjects so many have thin or pierced parts, beyond their share of all objects.
+SLENDER_SHARE = 0.25
 # Of SplatNet's crops one in so many wears a texture: photographs are never as plain as primitives.
 DRESSED = 3
 # Objects that may stand around the subject of a photo.
@@ -87,6 +90,14 @@ def make_pool(first_seed, count, processes, device="cuda", textures=384):
         slender=indices(lambda m: m.maker in SLENDER),
         textures=make_bank(textures, device),
     )
+
+
+def subjects(pool, n, slender):
+    """Indices [n] of objects, a share `slender` of them of what has thin or pierced parts, beyond theirs of all objects."""
+    device = pool.prims.device
+    thin = pool.slender[torch.randint(len(pool.slender), (n,), device=device)]
+    any_ = torch.randint(len(pool.prims), (n,), device=device)
+    return torch.where(torch.rand(n, device=device) < slender, thin, any_)
 
 
 def uniform(like, low, high):
@@ -155,8 +166,11 @@ def scene_batch(pool, n, size=256):
     """
     stage = staged(pool, torch.randint(len(pool.prims), (n,), device=pool.prims.device), size)
     rgb, alpha, depth, shade = seen_by(stage, stage.cameras, size)
-    photo = taken(textured(rgb, alpha, depth, pool.textures), rgb, alpha, depth, stage.daylight)
-    photo, alpha, depth, shade = mirrored_margins(photo, alpha, depth, shade)
+    water = waters(alpha)
+    dressed, rgb = flooded(torch.cat([textured(rgb, alpha, depth, pool.textures), rgb], 1), water).chunk(2, 1)
+    alpha, shade = above_water(alpha, shade, water)
+    photo = taken(dressed, rgb, alpha, depth, stage.daylight)
+    photo, alpha, depth, shade = reframed(photo, alpha, depth, shade)
     return SceneBatch(photo, points(alpha, stage.pointed), alpha, depth, shade, stage.elevation)
 
 
@@ -308,17 +322,13 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     return cameras, torch.asin(eye[:, 2] / eye.norm(dim=1))
 
 
-def mirrored_margins(photo, alpha, depth, shade):
-    """In some pictures, a margin of mirrored surroundings, as the program shows them; the subject ends with the photo."""
+def reframed(photo, alpha, depth, shade):
+    """Photos as lenses bend them; and in some a margin of mirrored surroundings, as the program shows them; the subject ends
+    with the photo."""
     n, size = alpha.shape[0], alpha.shape[-1]
-    device = alpha.device
-    wider = torch.where(uniform(alpha, 0, 1) < 0.2, uniform(alpha, 1.05, 1.45), torch.ones(n, device=device))
-    if size < 2:
-        return photo, alpha, depth, shade
-    theta = torch.zeros(n, 2, 3, device=device)
-    theta[:, 0, 0] = wider
-    theta[:, 1, 1] = wider
-    grid = F.affine_grid(theta, (n, 1, size, size), align_corners=False)
+    grid = bent(n, size, alpha.device)
+    wider = torch.where(uniform(alpha, 0, 1) < 0.2, uniform(alpha, 1.05, 1.45), torch.ones_like(alpha[:, 0, 0]))
+    grid = grid * wider[:, None, None, None]
     photo = F.grid_sample(photo, grid, mode="bilinear", padding_mode="reflection", align_corners=False)
     alpha = F.grid_sample(alpha[:, None], grid, mode="bilinear", padding_mode="zeros", align_corners=False)[:, 0]
     depth = F.grid_sample(depth[:, None], grid, mode="nearest", padding_mode="reflection", align_corners=False)[:, 0]
@@ -372,7 +382,7 @@ def splat_batch(pool, n, fov, distance, size=256, views=4):
     """Crops of `size` pixels of subjects photographed anyhow, and `views` truth views, half as large, by cameras of `fov`
     radians at `distance`."""
     device = pool.prims.device
-    chosen = torch.randint(len(pool.prims), (n,), device=device)
+    chosen = subjects(pool, n, SLENDER_SHARE)
     prims = recolour(pool.prims[chosen])
     counts = pool.counts[chosen]
     azimuth = uniform(chosen, 0, 6.283)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import torch
 import torch.nn.functional as F
 
-from .batches import points, seen_by, staged, taken, uniform
+from .batches import points, seen_by, staged, subjects, taken, uniform
 from .cameras import extent, fixed, magnified
 from .lens import coarsened
 from .masks import worn
@@ -32,7 +32,7 @@ def detail_batch(pool, n, masks, size=384, seen=256):
 
     `masks` is SceneNet's answer to a photo and point [n, 4, seen, seen]: a mask [n, 1, seen, seen].
     """
-    stage = staged(pool, subjects(pool, n), seen)
+    stage = staged(pool, subjects(pool, n, SLENDER_SHARE), seen)
     rgb, alpha, depth, _ = seen_by(stage, stage.cameras, seen)
     paint = patches(rgb, alpha)
     rgb = painted(rgb, alpha, paint)
@@ -46,14 +46,6 @@ def detail_batch(pool, n, masks, size=384, seen=256):
     photo = taken(coarsened(textured(rgb, alpha, depth, pool.textures)), rgb, alpha, depth, stage.daylight)
     before = cut_out(whole, box, seen, size)
     return DetailBatch(photo, worn(before, alpha[:, None]), alpha, depth, shade, before[:, 0])
-
-
-def subjects(pool, n):
-    """Indices [n] of objects, things with thin or pierced parts more often than others."""
-    device = pool.prims.device
-    slender = pool.slender[torch.randint(len(pool.slender), (n,), device=device)]
-    any_ = torch.randint(len(pool.prims), (n,), device=device)
-    return torch.where(torch.rand(n, device=device) < SLENDER_SHARE, slender, any_)
 
 
 class Paint(NamedTuple):

@@ -36,6 +36,19 @@ def exposed(photo):
     return torch.where(chance(0.3), photo * vignette(n, photo.shape[-1], device), photo)
 
 
+def bent(n, size, device):
+    """Where n pictures of `size` pixels are to be sampled, [n, S, S, 2], -1..1: a third of them as lenses distort, the others as
+    they are.
+
+    Radial distortion of the first order (Brown 1966), r' = r (1 + k (r^2 - 1)) with r = 1 at the middle of a side, so that the
+    picture stays as wide: k > 0 a barrel as phones and wide lenses have it, k < 0 a cushion.
+    """
+    centres = (torch.arange(size, device=device) + 0.5) * (2 / size) - 1
+    grid = torch.stack([centres[None].expand(size, size), centres[:, None].expand(size, size)], -1)
+    k = torch.randn(n, 1, 1, 1, device=device) * 0.05 * (torch.rand(n, 1, 1, 1, device=device) < 1 / 3)
+    return grid * (1 + k.clamp(-0.12, 0.12) * ((grid**2).sum(-1, keepdim=True) - 1))
+
+
 def defocused(photo, alpha, depth):
     """In a quarter of the photos [n, 3, S, S], what lies before and behind the subject out of focus.
 
