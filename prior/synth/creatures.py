@@ -1,15 +1,11 @@
-"""Makers of people, animals and soft toys out of ellipsoids and rounded limbs."""
+"""Makers of busts, animals and soft toys out of ellipsoids and rounded limbs."""
 
 import numpy as np
 
 from .kit import turn
 from .layout import BALL, BOX, CYL
 from .materials import SPECKLES, paint
-
-
-def skin_material(kit):
-    tone = kit.rng.uniform(0.15, 1)
-    return kit.material(base=np.array([0.62, 0.4, 0.29]) * tone, pattern=0, gloss=0.05)
+from .people import skin_material
 
 
 def fur_material(kit):
@@ -69,66 +65,6 @@ def soft_toy(kit):
         kit.add(BALL, (0.3 * fat, 0.12, bottom + 1.7 * tall), (0.05, 0.13, 0.08), material=bow, mirror=True)
     if kit.chance(0.25):
         kit.add(CYL, (0, 0, bottom + tall * 0.9), (0.46 * fat, 0.49 * fat, tall * 0.5), (0.8, 1), material=kit.material())
-
-
-def person_body(kit, base, size, top, bottom, skin, pose=None):
-    """A standing, walking, sitting or reaching person of height about 1.75 `size` on `base`."""
-    rng = kit.rng
-    x, y, z = base
-    pose = pose or rng.choice(["stand", "walk", "sit", "reach", "stand"])
-    hair = kit.material(base=paint(0.08, rng.uniform(0, 0.8), rng.uniform(0.02, 0.6)), pattern=rng.choice([0, 1]))
-
-    def at(px, py, pz):
-        return (x + px * size, y + py * size, z + pz * size)
-
-    hip = 0.9 if pose != "sit" else 0.45
-    wide = rng.uniform(0.9, 1.25)
-    stride = rng.uniform(0.1, 0.4) if pose == "walk" else rng.uniform(0, 0.08)
-    shoe = kit.material(dark=kit.chance(0.7))
-    leg = 0.085 * size * wide
-    for side in (-1, 1):
-        step = side * stride
-        if pose == "sit":
-            knee, ankle = at(0.45, side * 0.13, 0.47), at(0.47, side * 0.13, 0.06)
-        else:
-            knee, ankle = at(0.6 * max(step, 0) + 0.02, side * 0.1 * wide, 0.48), at(step, side * 0.11 * wide, 0.07)
-        kit.chain([at(0, side * 0.09 * wide, hip), knee, ankle], [leg * 1.1, leg * 0.8, leg * 0.6], bottom)
-        kit.add(BALL, (ankle[0] + 0.06 * size, ankle[1], ankle[2] - 0.03 * size), (0.13 * size, 0.05 * size, 0.05 * size), material=shoe)
-        shoulder = at(0, side * 0.19 * wide, hip + 0.52)
-        if pose == "reach":
-            elbow, hand = at(0.2, side * 0.28, hip + 0.45 + rng.uniform(0, 0.4)), at(0.4, side * 0.25, hip + 0.5 + rng.uniform(0, 0.6))
-        else:
-            elbow = at(-side * stride * 0.3, side * (0.25 + rng.uniform(0, 0.1)), hip + 0.25)
-            hand = at(-side * stride * 0.6 + 0.05, side * 0.25, hip + rng.uniform(-0.02, 0.2))
-        kit.chain([shoulder, elbow, hand], [0.06 * size * wide, 0.05 * size, 0.04 * size], top)
-        kit.add(BALL, hand, (0.05 * size, 0.035 * size, 0.06 * size), material=skin)
-    kit.add(BALL, at(0, 0, hip + 0.3), (0.13 * size * wide, 0.2 * size * wide, 0.34 * size), material=top)
-    kit.add(BALL, at(0, 0, hip + 0.02), (0.13 * size * wide, 0.18 * size * wide, 0.15 * size), material=bottom)
-    if kit.chance(0.25):
-        kit.add(CYL, at(0, 0, hip - 0.15), (0.3 * size, 0.3 * size, 0.3 * size), (0.5, 1), material=bottom)
-    kit.between(at(0, 0, hip + 0.55), at(0.01, 0, hip + 0.7), 0.05 * size, material=skin)
-    kit.add(BALL, at(0.02, 0, hip + 0.77), (0.1 * size, 0.08 * size, 0.125 * size), material=skin)
-    kit.add(BALL, at(-0.015, 0, hip + 0.81), (0.105 * size, 0.09 * size, 0.105 * size), material=hair)
-    if kit.chance(0.3):
-        hat = kit.material()
-        kit.add(CYL, at(0, 0, hip + 0.88), (0.1 * size, 0.1 * size, 0.06 * size), (0.85, 1), material=hat)
-        kit.add(CYL, at(0.03, 0, hip + 0.83), (0.16 * size, 0.14 * size, 0.01 * size), material=hat)
-
-
-def person(kit):
-    """One person or two, some with a bag or a stool."""
-    rng = kit.rng
-    top, bottom = kit.material(), kit.material()
-    pose = rng.choice(["stand", "walk", "sit", "reach"])
-    person_body(kit, (0, 0, 0), 1.0, top, bottom, skin_material(kit), pose)
-    if pose == "sit":
-        kit.add(BOX, (-0.05, 0, 0.2), (0.25, 0.25, 0.2), material=kit.material())
-        if kit.chance(0.6):
-            kit.add(BOX, (-0.28, 0, 0.6), (0.03, 0.25, 0.4), material=kit.material())
-    if kit.chance(0.25):
-        kit.add(BOX, (-0.2, 0, 1.25), (0.1, 0.17, 0.25), material=kit.material())
-    if kit.chance(0.15):
-        person_body(kit, (0.1, 0.6, 0), rng.uniform(0.6, 1.05), kit.material(), kit.material(), skin_material(kit))
 
 
 def bust(kit):

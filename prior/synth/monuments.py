@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .creatures import person_body
+from .people import person_body
 from .kit import around, turn
 from .layout import BALL, BARS, BOX, CYL, GRID, LATTICE, PRISM, TUBE
 from .materials import BRICKS, PLANKS, RIBS
@@ -35,7 +35,7 @@ def fountain(kit):
         kit.add(CYL, (0, 0, z + 0.215), (bowl * 0.93, bowl * 0.93, 0.015), material=water)
         bowl *= rng.uniform(0.5, 0.7)
     if kit.chance(0.4):
-        person_body(kit, (0, 0, z + 0.2), rng.uniform(0.3, 0.6), stone, stone, stone)
+        person_body(kit, (0, 0, z), rng.uniform(0.3, 0.6), stone, stone, stone, upright(kit))
     else:
         kit.loft((0, 0, z), [(0, 0.1), (0.3, 0.06), (0.5, 0.1), (0.7, 0.01)], stone)
     if kit.chance(0.5):
@@ -43,6 +43,11 @@ def fountain(kit):
         kit.between((0, 0, z), (0, 0, z + rng.uniform(0.5, 1.3)), 0.05, taper=0.4, material=jet)
         for x, y in around(6, radius * 0.7):
             kit.between((x, y, rim * 0.6), (x * 0.45, y * 0.45, z * 0.8 + 0.4), 0.018, material=jet)
+
+
+def upright(kit):
+    """A pose of somebody who needs no seat."""
+    return kit.rng.choice(["stand", "walk", "kneel"], p=[0.65, 0.25, 0.1])
 
 
 def statue(kit):
@@ -57,7 +62,7 @@ def statue(kit):
         z += step
         half *= rng.uniform(0.65, 0.9)
     if kit.chance(0.65):
-        person_body(kit, (0, 0, z), rng.uniform(0.8, 1.5), stone, stone, stone)
+        person_body(kit, (0, 0, z), rng.uniform(0.8, 1.5), stone, stone, stone, upright(kit))
     else:
         tall = rng.uniform(1.5, 4)
         storey(kit, int(rng.choice([4, 4, 0, 8])), z, half * 0.6, tall, stone, rng.uniform(0.5, 0.9))

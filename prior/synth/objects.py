@@ -8,7 +8,7 @@ import numpy as np
 from .aircraft import jet, rocket, rotorcraft
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship, trawler
-from .creatures import animal_bust, bird, bust, person, quadruped, soft_toy
+from .creatures import animal_bust, bird, bust, quadruped, soft_toy
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
 from .homes import eaved_house, open_shed, play_tower
@@ -17,6 +17,7 @@ from .kit import Kit, turn
 from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SOLID, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
+from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
