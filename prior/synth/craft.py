@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from .kit import ALONG_X, turn
-from .layout import BALL, BOX, CYL
-from .materials import PLANKS
+from .kit import ALONG_X, ALONG_Y, turn
+from .layout import BALL, BOX, CYL, TUBE
+from .materials import CAMOUFLAGE, PLANKS
 
 
 def plane(kit):
@@ -51,25 +51,106 @@ def plane_tail(kit, length, radius, chord, z, skin):
 
 
 def helicopter(kit):
+    """Utility and transport helicopters: cabins with flat sides, doors and windows, engines on top, tails that go on from the roof; some
+    with a rotor at either end. Round ones are `aircraft.rotorcraft`'s."""
     rng = kit.rng
-    skin = kit.material()
-    z = rng.uniform(0.9, 1.3)
-    length = rng.uniform(1.2, 1.9)
-    kit.add(BALL, (0, 0, z), (length, rng.uniform(0.55, 0.8), rng.uniform(0.6, 0.85)), material=skin)
-    canopy = kit.material(base=np.array([0.07, 0.09, 0.11]))
-    kit.add(BALL, (length * 0.45, 0, z + 0.1), (length * 0.55, 0.58, 0.55), material=canopy)
-    boom_half = (0.2, 0.2, 1.3)
-    kit.add(CYL, (-length - 0.9, 0, z + 0.2), boom_half, (0.4, 1), rotation=turn("y", -90), material=skin)
-    kit.add(BOX, (-length - 2, 0, z + 0.55), (0.25, 0.05, 0.45), (0.6, 1), (-0.2, 0), material=skin)
-    kit.add(CYL, (0, 0, z + 0.9), (0.08, 0.08, 0.25), material=kit.material(dark=True))
-    angle = rng.uniform(0, 90)
-    dark = kit.material(dark=True)
-    for i in range(int(rng.choice([1, 2]))):
-        blade = (rng.uniform(2, 2.8), 0.1, 0.025)
-        kit.add(BOX, (0, 0, z + 1.12), blade, rotation=turn("z", angle + 90 * i), material=dark)
-    for y in (-0.6, 0.6):
-        kit.add(CYL, (0, y, 0.08), (0.05, 0.05, 1.2), rotation=ALONG_X, material=dark)
-        kit.add(BOX, (0, y, 0.35), (0.5, 0.04, 0.3), material=dark)
+    skin = kit.material(pattern=rng.choice([0, 0, 1, CAMOUFLAGE, 2]), gloss=rng.uniform(0, 0.4))
+    dark, glass = kit.material(dark=True), kit.material(base=[0.06, 0.08, 0.1], gloss=0.6, pattern=0)
+    trim = kit.material()
+    tandem = kit.chance(0.15)
+    high = rng.uniform(0.45, 0.75)
+    wide, long = high * rng.uniform(0.75, 1.1), rng.uniform(2, 3) if tandem else rng.uniform(0.8, 1.8)
+    leg = rng.uniform(0.2, 0.5)
+    z = leg + high
+    kit.add(BOX, (0, 0, z), (long, wide, high), (1, rng.uniform(0.75, 1)), material=skin)
+    nose = rng.uniform(0.45, 1.0)
+    kit.add(BALL, (long * 0.97, 0, z - high * rng.uniform(0, 0.2)), (nose, wide * 0.98, high * rng.uniform(0.8, 0.97)), material=skin)
+    kit.add(BALL, (long * 0.98 + nose * 0.12, 0, z + high * 0.22), (nose * 0.86, wide * 0.9, high * 0.68), material=glass)
+    if kit.chance(0.4):
+        kit.add(BOX, (0, 0, z - high * 0.72), (long * 1.01, wide * 1.01, high * 0.26), material=trim)
+    windows = int(rng.integers(2, 5))
+    for k in range(windows):
+        x = long * (0.75 - 1.4 * k / windows)
+        kit.add(BOX, (x, wide * 0.98, z + high * 0.3), (long * rng.uniform(0.35, 0.55) / windows, 0.03, high * 0.26), material=glass, mirror=True)
+    if kit.chance(0.6):
+        kit.add(BOX, (rng.uniform(-0.3, 0.4) * long, wide * 0.985, z - high * 0.1), (0.3, 0.03, high * 0.75), material=dark if kit.chance(0.4) else trim, mirror=True)
+    if kit.chance(0.35):
+        kit.add(CYL, (long + nose * 0.7, 0, z - high * 0.6), (0.09, 0.09, 0.12), material=dark)
+    blades, reach = int(rng.choice([2, 3, 4, 4, 5, 6])), rng.uniform(1.7, 2.9)
+    if tandem:
+        for end in (-0.85, 0.8):
+            tall = high * (rng.uniform(0.7, 1.1) if end < 0 else 0.35)
+            kit.add(BOX, (end * long, 0, z + high + tall * 0.9), (0.55, wide * 0.4, tall), (0.7, 0.6), material=skin)
+            rotor(kit, np.array([end * long, 0, z + high + 2 * tall + 0.1]), long * rng.uniform(0.8, 1.0), blades, dark)
+    else:
+        roof = z + high
+        cowl = high * rng.uniform(0.22, 0.36)
+        kit.add(BOX, (-long * 0.15, 0, roof + cowl * 0.8), (long * rng.uniform(0.55, 0.85), wide * 0.6, cowl), (0.75, 0.7), material=skin)
+        for side in (-1, 1):
+            kit.add(CYL, (long * 0.3, side * wide * 0.33, roof + cowl * 0.6), (cowl * 0.6, cowl * 0.6, 0.35), rotation=ALONG_X, material=dark)
+        rotor(kit, np.array([0, 0, roof + 2 * cowl + rng.uniform(0.1, 0.3)]), reach, blades, dark)
+        tail_boom(kit, long, wide, high, z, skin, trim, dark)
+    undercarriage(kit, long, wide, z - high, dark, skin)
+
+
+def rotor(kit, hub, reach, blades, material):
+    """Blades that droop or cone a little on a mast and a hub; some with tips of another colour."""
+    rng = kit.rng
+    kit.add(CYL, hub - [0, 0, 0.15], (0.07, 0.07, 0.2), material=material)
+    kit.add(CYL, hub, (0.16, 0.16, 0.05), (0.7, 1), material=material)
+    chord, droop, first = rng.uniform(0.06, 0.12), rng.uniform(-0.12, 0.05), rng.uniform(0, 6.3)
+    for k in range(blades):
+        turned = first + 2 * np.pi * k / blades
+        way = np.array([np.cos(turned), np.sin(turned), droop])
+        kit.between(hub + 0.1 * way, hub + reach * way, (0.014, chord), BOX, material=material)
+
+
+def tail_boom(kit, long, wide, high, z, skin, trim, dark):
+    """From the cabin's end, narrower, the roof's line going on; fin, tailplane, and a tail rotor in the open or in the fin."""
+    rng = kit.rng
+    rear, narrow = rng.uniform(0.25, 0.7), rng.uniform(0.3, 0.5)
+    rise = high * (1 - narrow) * rng.uniform(0.5, 1)
+    kit.add(BOX, (-long - rear, 0, z), (high, wide * 0.98, rear), (narrow, narrow), (rise, 0), rotation=turn("y", -90), material=skin)
+    start = np.array([-long - 1.9 * rear, 0, z + rise * 0.97])
+    tail = start + [-rng.uniform(1.0, 2.0), 0, rng.uniform(0, 0.35)]
+    thick = high * narrow * 0.95
+    kit.between(start, tail, (thick, min(thick, wide * narrow)), BOX if kit.chance(0.5) else CYL, rng.uniform(0.4, 0.7), material=skin)
+    fin, sweep = rng.uniform(0.5, 0.9), rng.uniform(0.15, 0.6)
+    if kit.chance(0.45):
+        duct = rng.uniform(0.3, 0.45)
+        middle = tail + [-duct, 0, duct * 0.3]
+        kit.add(TUBE, middle, (duct * 1.25, duct * 1.25, 0.12), rotation=turn("x", 90), material=skin)
+        for k in range(4):
+            kit.add(BOX, middle, (duct, 0.02, 0.04), rotation=turn("y", 45 * k + 10), material=dark)
+        root = middle + [-duct * 0.6, 0, duct]
+    else:
+        side = rng.choice([-1, 1])
+        for k in range(2):
+            kit.add(BOX, tail + [-0.3 - sweep * 0.5, side * 0.12, fin * 0.8], (rng.uniform(0.3, 0.5), 0.015, 0.05), rotation=turn("y", 90 * k + 30), material=dark)
+        root = tail + [-0.2, 0, 0]
+    kit.add(BOX, root + [-sweep / 2, 0, fin * 0.5], (rng.uniform(0.25, 0.4), 0.05, fin * 0.6), (0.6, 1), (-sweep, 0), material=trim if kit.chance(0.4) else skin)
+    span = rng.uniform(0.4, 0.85)
+    plane_at = (tail + start) / 2 if kit.chance(0.5) else tail + [0.1, 0, 0.02]
+    kit.add(BOX, plane_at, (0.16, span, 0.03), material=skin)
+    if kit.chance(0.5):
+        kit.add(BOX, plane_at + [-0.05, span, 0.05], (0.2, 0.03, 0.25), (0.7, 1), (-0.1, 0), material=trim, mirror=True)
+
+
+def undercarriage(kit, long, wide, belly, dark, skin):
+    """Skids, or wheels on legs or beside the cabin in fairings."""
+    rng = kit.rng
+    if kit.chance(0.35):
+        out = wide * rng.uniform(1.0, 1.3)
+        for x in (-long * 0.45, long * 0.5):
+            kit.between((x, wide * 0.7, belly + 0.05), (x, out, 0.05), 0.03, material=dark, mirror=True)
+        kit.add(CYL, (0.1 * long, out, 0.04), (0.035, 0.035, long * 1.05), rotation=ALONG_X, material=dark, mirror=True)
+        return
+    if kit.chance(0.5):
+        kit.add(BOX, (-0.1 * long, wide * 1.1, belly + 0.12), (long * 0.4, 0.16, 0.16), (0.8, 0.8), material=skin, mirror=True)
+    tyre = rng.uniform(0.12, 0.2)
+    for x, y in ((long * 0.75, wide * 0.3), (-long * 0.35, wide * 1.05)):
+        kit.between((x, y * 0.9, belly + 0.15), (x, y, tyre), 0.045, material=dark, mirror=True)
+        kit.add(CYL, (x, y, tyre), (tyre, tyre, 0.07), rotation=ALONG_Y, material=dark, mirror=True)
 
 
 def ship(kit):

@@ -44,7 +44,7 @@ MAKERS = [
     (train, 3),
     (plane, 5),
     (jet, 12),
-    (helicopter, 3),
+    (helicopter, 6),
     (rotorcraft, 9),
     (rocket, 4),
     (ship, 4),

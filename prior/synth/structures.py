@@ -158,7 +158,8 @@ def church(kit):
         kit.add(BOX, (x, y, tall * 1.7), (half * 0.4, half * 1.02, 0.25), material=glass)
         spire = rng.uniform(0.6, 2.6)
         if domed and kit.chance(0.5):
-            kit.add(BALL, (x, y, 2 * tall), (half, half, half * 1.3), material=roof)
+            spire = half * 1.3
+            kit.add(BALL, (x, y, 2 * tall), (half, half, spire), material=roof)
         else:
             sides = int(rng.choice([4, 6, 8]))
             kit.add(PRISM, (x, y, 2 * tall + spire / 2), (half * 1.1, half * 1.1, spire / 2), (0.02, sides), material=roof)
@@ -166,6 +167,35 @@ def church(kit):
     if kit.chance(0.4):
         kit.add(CYL, (-long, 0, height * 0.8), (deep * 0.7, deep * 0.7, height * 0.8), material=walls)
     kit.add(BOX, (long + half, 0, 0.5), (0.03, 0.25, 0.5), material=kit.material())
+    church_wings(kit, long, deep, height, walls, roof, glass)
+
+
+def church_wings(kit, long, deep, height, walls, roof, glass):
+    """What stands beside a nave of half length `long`, half depth `deep` and half height `height`: a transept, a vestry or a chapel on
+    one side, aisles under roofs that lean against it, a porch."""
+    rng = kit.rng
+    if kit.chance(0.3):
+        x, wide, out, low = rng.uniform(-0.5, 0.4) * long, rng.uniform(0.35, 0.8), deep * rng.uniform(1.3, 2), height * rng.uniform(0.7, 1)
+        rise = rng.uniform(0.3, 0.6)
+        kit.add(BOX, (x, 0, low), (wide, out, low), material=walls)
+        kit.add(BOX, (x, 0, 2 * low + rise), (wide * 1.12, out * 1.04, rise), (0.02, 1), material=roof)
+        kit.add(BOX, (x, 0, low), (wide * 0.25, out * 1.01, low * 0.5), material=glass)
+    elif kit.chance(0.3):
+        out, low = deep * rng.uniform(0.3, 0.6), height * rng.uniform(0.45, 0.65)
+        for side in (-1, 1):
+            kit.add(BOX, (0, side * (deep + out / 2), low), (long * 0.95, out / 2, low), material=walls)
+            # Its ridge is the nave's wall.
+            kit.add(BOX, (0, side * (deep + out / 2), 2 * low + 0.15), (long, out * 0.55, 0.15), (1, 0.02), (0, -side * out * 0.5), material=roof)
+    if kit.chance(0.4):
+        side, x = rng.choice([-1, 1]), rng.uniform(-0.8, 0.6) * long
+        wide, out, low = rng.uniform(0.3, 0.9), rng.uniform(0.3, 1.1), height * rng.uniform(0.4, 0.85)
+        y = side * (deep + out)
+        kit.add(BOX, (x, y, low), (wide, out, low), material=walls)
+        rise = rng.uniform(0.2, 0.5)
+        along = (0.02, 1) if kit.chance(0.6) else (0.3, 0.3)
+        kit.add(BOX, (x, y, 2 * low + rise), (wide * 1.12, out * 1.08, rise), along, material=roof)
+        kit.add(BOX, (x, y, low), (wide * 0.3, out * 1.01, low * 0.5), material=glass)
+        kit.add(BOX, (x, y, low), (wide * 1.01, out * 0.3, low * 0.5), material=glass)
 
 
 def castle(kit):
