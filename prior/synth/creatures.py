@@ -156,6 +156,38 @@ def markings(kit, place, half):
         kit.add(BALL, place + direction * half * (1.05 - size), half * size, material=patch)
 
 
+def looking(kit, down):
+    """The frame of a head that looks `down` by so many degrees, in three of five turned aside."""
+    aside = kit.rng.normal(0, 35) if kit.chance(0.6) else 0.0
+    return turn("z", aside) @ turn("y", down)
+
+
+def animal_head(kit, at, size, facing, fur, second):
+    """Skull, muzzle, ears, eyes, nose and some horns where a neck ends; `facing` [3, 3]: forward, left and up of the head."""
+    rng = kit.rng
+
+    def place(x, y, z):
+        return at + facing @ np.array([x, y, z]) * size
+
+    def ball(where, half, material, rotation=None):
+        kit.add(BALL, place(*where), np.array(half) * size, rotation=facing if rotation is None else facing @ rotation, material=material)
+
+    ball((0.28, 0, 0.08), (1.08, 0.85, 0.83), fur)
+    long = rng.uniform(0.3, 1.4)
+    nose = (0.75 + long, 0, rng.uniform(-0.45, 0))
+    kit.chain([place(0.62, 0, -0.05), place(*nose)], [size * 0.54, size * 0.35], second)
+    ear, hang = rng.uniform(0.25, 1.2), rng.choice([-0.5, 0.3, 0.5])
+    dark = kit.material(dark=True, gloss=0.5)
+    horned = kit.chance(0.2)
+    for side in (-1, 1):
+        ball((0, side * 0.67, 0.65 + hang * ear), (ear * 0.23, ear * 0.45, ear), second, turn("x", -25 * side))
+        ball((0.98, side * 0.46, 0.32), (0.13, 0.13, 0.13), dark)
+        if horned:
+            kit.chain([place(0, side * 0.4, 0.7), place(0.1, side * 1.1, 1.5)], [size * 0.12, size * 0.05], dark)
+    if kit.chance(0.7):
+        ball((nose[0] + 0.28, 0, nose[2] + 0.08), (0.14, 0.2, 0.14), dark)
+
+
 def sitting(kit):
     """Dogs, cats, hares, bears on their haunches: the back slopes, the forelegs stand."""
     rng = kit.rng
@@ -182,18 +214,8 @@ def sitting(kit):
         kit.add(BALL, chest + [fat * 0.45, 0, -fat * 0.3], (fat * 0.55, fat * 0.5, fat * 0.9), material=second)
     neck = chest + [rng.uniform(0, 0.15), 0, fat * rng.uniform(0.9, 1.6)]
     kit.chain([chest + [0, 0, fat * 0.3], neck], [fat * 0.75, fat * 0.5], fur)
-    head = fat * rng.uniform(0.55, 0.85)
-    kit.add(BALL, neck + [head * 0.25, 0, head * 0.3], (head * 1.05, head * 0.9, head * 0.85), material=fur)
-    snout = head * rng.uniform(0.3, 1.2)
-    nose = neck + [head * 0.8 + snout, 0, head * rng.uniform(-0.2, 0.1)]
-    kit.chain([neck + [head * 0.7, 0, head * 0.15], nose], [head * 0.5, head * 0.32], second)
-    ear = head * rng.uniform(0.3, 1.3)
-    hang = rng.choice([-1, 1, 1])
-    kit.add(BALL, neck + [0, head * 0.7, head * 0.7 + hang * ear * 0.5], (ear * 0.2, ear * 0.4, ear), rotation=turn("x", -20), material=second, mirror=True)
-    dark = kit.material(dark=True, gloss=0.5)
-    kit.add(BALL, neck + [head * 1.05, head * 0.4, head * 0.55], (head * 0.12,) * 3, material=dark, mirror=True)
-    if kit.chance(0.7):
-        kit.add(BALL, nose + [head * 0.27, 0, head * 0.1], (head * 0.13, head * 0.2, head * 0.13), material=dark)
+    skull = fat * rng.uniform(0.55, 0.85)
+    animal_head(kit, neck + [0, 0, skull * 0.15], skull, looking(kit, rng.normal(2, 10)), fur, second)
     tail = rng.uniform(0.2, 0.7)
     kit.chain([rump + [-fat * 0.8, 0, -fat * 0.6], (-fat - tail, rng.uniform(-0.2, 0.2), rng.uniform(0.05, 0.4))], [fat * 0.2, fat * 0.1], second)
 
@@ -208,7 +230,7 @@ def quadruped(kit):
     second = fur if kit.chance(0.5) else fur_material(kit)
     long, tall = rng.uniform(0.5, 1.1), rng.uniform(0.35, 1.3)
     fat = rng.uniform(0.2, 0.5)
-    leg = fat * rng.uniform(0.14, 0.4)
+    leg = fat * rng.uniform(0.13, 0.32)
     z = tall + fat * 0.7
     kit.add(BALL, (0, 0, z), (long, fat * 0.85, fat), material=fur)
     kit.add(BALL, (long * 0.6, 0, z + 0.03), (long * 0.4, fat * 0.85, fat * 1.02), material=fur)
@@ -220,30 +242,27 @@ def quadruped(kit):
     stride = rng.uniform(-0.2, 0.2)
     for x in (-0.65, 0.65):
         for side in (-1, 1):
+            if lying:
+                continue
             swing = side * stride * np.sign(x)
-            knee = (x * long + swing * 0.6, side * fat * 0.55, tall * 0.5)
+            # Hind legs bend backwards at the hock.
+            back = 0.14 * tall * (x < 0)
+            knee = (x * long + swing * 0.6 - back, side * fat * 0.55, tall * 0.45)
             foot = (x * long + swing, side * fat * 0.55, leg * 0.6)
-            if not lying:
-                kit.chain([(x * long, side * fat * 0.5, z), knee], [leg * 1.4, leg], fur)
-                kit.chain([knee, foot], [leg, leg * 0.8], socks)
+            top = (x * long, side * fat * 0.5, z - fat * 0.1)
+            kit.add(BALL, top, (leg * (1.6 + 0.8 * (x < 0)), leg * 1.3, leg * 2.2), material=fur)
+            kit.chain([top, knee], [leg * 1.35, leg * 0.95], fur)
+            kit.chain([knee, foot], [leg * 0.95, leg * 0.7], socks)
+            kit.add(BALL, (foot[0] + leg * 0.4, foot[1], leg * 0.5), (leg * 1.2, leg, leg * 0.5), material=socks)
     neck = rng.uniform(0.2, 1.2) * rng.choice([0.6, 1])
+    grazing = not lying and kit.chance(0.18)
     up = rng.uniform(20, 75)
+    if grazing:
+        neck, up = tall * rng.uniform(0.55, 0.9), rng.uniform(-60, -35)
     start = np.array([long * 0.85, 0, z + fat * 0.3])
     end = start + neck * np.array([np.cos(np.radians(up)), 0, np.sin(np.radians(up))])
     kit.chain([start, end], [fat * 0.55, fat * 0.38], fur)
-    head = fat * rng.uniform(0.45, 0.8)
-    kit.add(BALL, end + [head * 0.3, 0, 0], (head * 1.1, head * 0.8, head * 0.8), material=fur)
-    snout = head * rng.uniform(0.5, 1.4)
-    nose = end + [head * 0.7 + snout, 0, -head * 0.45]
-    kit.chain([end + [head * 0.6, 0, -head * 0.1], nose], [head * 0.55, head * 0.36], second)
-    ear = head * rng.uniform(0.25, 0.9)
-    kit.add(BALL, end + [0, head * 0.65, head * 0.7], (ear * 0.25, ear * 0.5, ear), rotation=turn("x", -25), material=second, mirror=True)
-    dark = kit.material(dark=True, gloss=0.5)
-    kit.add(BALL, end + [head * 0.95, head * 0.5, head * 0.25], (head * 0.13,) * 3, material=dark, mirror=True)
-    if kit.chance(0.7):
-        kit.add(BALL, nose + [head * 0.3, 0, head * 0.08], (head * 0.14, head * 0.2, head * 0.14), material=dark)
-    if kit.chance(0.25):
-        kit.chain([end + [0, head * 0.4, head * 0.7], end + [0.1, head * 1.1, head * 1.5]], [head * 0.12, head * 0.05], dark, mirror=True)
+    animal_head(kit, end, fat * rng.uniform(0.45, 0.8), looking(kit, 40 if grazing else rng.normal(8, 8)), fur, second)
     tail = rng.uniform(0.2, 0.9)
     kit.chain([(-long * 0.95, 0, z + fat * 0.4), (-long - tail * 0.6, 0, z + tail * rng.uniform(-1, 0.8))], [fat * 0.14, fat * 0.07], second)
 

@@ -17,11 +17,13 @@ from .kit import Kit, turn
 from .layout import BALL, BOX, FLOATS, PRIMS, PRISM, SOLID, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
+from .motorcycles import motorcycle
+from .open_cars import open_car
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
-from .vehicles import bike, bus, car, tank, truck
+from .vehicles import bus, car, tank, truck
 from .wheeled import carrier, covered_lorry, offroad, van
 
 # How often each kind of object is made, relative to the others.
@@ -30,9 +32,10 @@ MAKERS = [
     (round_car, 16),
     (truck, 9),
     (bus, 5),
-    (bike, 2),
+    (motorcycle, 6),
     (cycle, 6),
     (offroad, 14),
+    (open_car, 9),
     (van, 9),
     (covered_lorry, 8),
     (carrier, 8),
@@ -109,7 +112,7 @@ COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, pe
 
 # What has thin or pierced parts.
 SLENDER = {
-    *(bike, cycle, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
+    *(motorcycle, cycle, open_car, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
 }

@@ -183,30 +183,3 @@ def bus_windows(kit, length, width, height, z, glass):
             x = length * ((2 * i + 1) / count - 1) * 0.93
             kit.add(BOX, (x, 0, row_z), (length * 0.86 / count, width * 1.012, half_height), material=glass)
         kit.add(BOX, (length * 0.01, 0, row_z), (length * 1.006, width * 0.85, half_height), material=glass)
-
-
-def bike(kit):
-    """Bicycle or motorcycle."""
-    rng = kit.rng
-    wheel = rng.uniform(0.38, 0.6)
-    length = rng.uniform(0.6, 0.95)
-    paint = kit.material()
-    dark = kit.material(dark=True)
-    motor = rng.random() < 0.6
-    for x in (length, -length):
-        kit.add(CYL, (x, 0, wheel), (wheel, wheel, 0.08 if motor else 0.03), rotation=ALONG_Y, material=dark)
-        disc = (wheel * 0.75, wheel * 0.75, 0.085 if motor else 0.034)
-        kit.add(CYL, (x, 0, wheel), disc, rotation=ALONG_Y, material=kit.material())
-    tube = 0.1 if motor else 0.035
-    top = wheel * 2
-    frame = turn("y", rng.uniform(-12, 12))
-    kit.add(BOX, (0, 0, top * 0.95), (length * 0.75, tube, tube), rotation=frame, material=paint)
-    kit.add(BOX, (length * 0.85, 0, top * 0.9), (tube, tube, top * 0.55), rotation=turn("y", -18), material=paint)
-    stay_half = (length * 0.55, tube, tube * 0.8)
-    kit.add(BOX, (-length * 0.5, 0, wheel * 1.2), stay_half, rotation=turn("y", 20), material=paint)
-    kit.add(BOX, (-length * 0.3, 0, top * 1.15), (length * 0.35, 0.12, 0.07), material=dark)
-    kit.add(CYL, (length * 0.72, 0, top * 1.4), (0.03, 0.03, 0.38), rotation=ALONG_Y, material=dark)
-    if motor:
-        kit.add(BALL, (length * 0.15, 0, top * 1.05), (length * 0.38, 0.2, 0.18), material=paint)
-        kit.add(BOX, (0, 0, wheel), (length * 0.35, 0.2, wheel * 0.5), material=kit.material())
-        kit.add(CYL, (-length * 0.5, 0.18, wheel * 0.8), (0.07, 0.07, length * 0.5), rotation=ALONG_X)
