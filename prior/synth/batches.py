@@ -13,7 +13,7 @@ import torch.nn.functional as F
 
 from nets import CROP_HALF, CROP_NEARNESS, halved
 
-from .cameras import crop, extent, fixed, inverses, look_at, matrices, orbit, pack, rolled
+from .cameras import crop, fixed, inverses, look_at, matrices, orbit, pack, rolled
 from .environments import environments
 from .foliage import broadleaf, leafy
 from .layout import (

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from .kit import ALONG_X, ALONG_Y, turn
-from .layout import BALL, BOX, CYL
+from .kit import ALONG_X, ALONG_Y
+from .layout import BOX, CYL
 
 
 def wheels(kit, xs, y, radius, width):
