@@ -8,8 +8,8 @@ from torch.nn.utils.parametrizations import spectral_norm
 
 WIDTHS = (64, 128, 256, 384)
 MATCHING = 5.0  # weight of the features beside the verdict
-# After every layer. A spectrally normalised layer passes on a third of what differs between two pictures, and nine of them nothing
-# that a verdict could hang on: without it the critic says the same of all pictures for thousands of steps.
+# After every layer. A spectrally normalised layer passes on a third of what differs between two pictures, and nine of them next to nothing
+# that a verdict could hang on: without it the critic may say the same of all pictures for thousands of steps.
 GAIN = 3.0
 
 

@@ -313,7 +313,7 @@ def pooled(x, step):
 
 def front_depth_loss(depth, batch):
     """Mean distance between the front layer's depth [n, S, S] and the truth in the crop, on the subject; each subject counts alike,
-    its slender parts more than the rest of it: a depth that is a little off moves them by more than their width."""
+    its slender parts more than the rest of it."""
     valid = front_seen(batch)
     weight = valid * (1 + SLENDER_WEIGHT * slender(valid[:, None, None].float())[:, 0, 0])
     each = ((depth - batch.front).abs() * weight).sum((1, 2)) / weight.sum((1, 2)).clamp(min=1)

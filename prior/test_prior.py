@@ -113,18 +113,18 @@ def test_water_takes_what_it_hides_and_shows_the_rest_once_more():
     torch.manual_seed(3)
     alpha = torch.zeros(300, 60, 60)
     alpha[:, 20:40, 25:35] = 1
-    pool = water.waters(alpha)
-    pool = pool._replace(clear=torch.full((300,), 1.0))
-    wet = (pool.below > 0).any(1)
+    lake = water.waters(alpha)
+    lake = lake._replace(clear=torch.full((300,), 1.0))
+    wet = (lake.below > 0).any(1)
     assert 5 < wet.sum() < 40
-    above, shade = water.above_water(alpha, torch.zeros_like(alpha), pool)
+    above, shade = water.above_water(alpha, torch.zeros_like(alpha), lake)
     assert torch.equal(above[~wet], alpha[~wet]) and shade[~wet].max() == 0
     assert above[wet].sum() <= alpha[wet].sum() and (above[wet].flatten(1).sum(1) >= 0.7 * 200).all()
     # The image stands below the line, upside down, about as large as what is left of the subject.
     assert (shade[wet] * above[wet]).max() == 0
     assert (shade[wet].flatten(1).sum(1) > 0.5 * above[wet].flatten(1).sum(1)).all()
     picture = alpha[:, None].expand(-1, 3, -1, -1)
-    shown = water.flooded(picture, pool)
+    shown = water.flooded(picture, lake)
     assert torch.equal(shown[~wet], picture[~wet])
     assert (shown[wet][:, 0] - above[wet]).flatten(1).sum(1).min() > 20
 
@@ -174,6 +174,9 @@ def test_muon_moves_each_matrix_as_if_it_were_alone():
             # The first momentum is a twentieth of the gradient, Nesterov's look ahead as long in its direction.
             step = orthogonalised(gradient[None])[0].float().reshape(before[rows].shape) * 0.1 * USUAL * max(gradient.shape) ** 0.5
             torch.testing.assert_close(params[name].data[rows], before[rows] * 0.95 - step, atol=2e-3, rtol=0.02)
+    again = Muon(params.items(), lr=0.1, weight_decay=0.5, parts={"qkv": 3})
+    again.load_state_dict(muon.state_dict())
+    assert all(torch.equal(a["momentum"], b["momentum"]) for a, b in zip(muon.state.values(), again.state.values(), strict=True))
     kept = {name: p.detach().clone() for name, p in params.items()}
     params["a.weight"].grad[0] = float("nan")
     muon.found_inf = torch.tensor(1.0)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .aircraft import propeller
 from .kit import ALONG_X, ALONG_Y, turn
 from .layout import BALL, BOX, CYL, TUBE
 from .materials import CAMOUFLAGE, PLANKS
@@ -120,13 +121,10 @@ def tail_boom(kit, long, wide, high, z, skin, trim, dark):
         duct = rng.uniform(0.3, 0.45)
         middle = tail + [-duct, 0, duct * 0.3]
         kit.add(TUBE, middle, (duct * 1.25, duct * 1.25, 0.12), rotation=turn("x", 90), material=skin)
-        for k in range(4):
-            kit.add(BOX, middle, (duct, 0.02, 0.04), rotation=turn("y", 45 * k + 10), material=dark)
+        propeller(kit, middle, duct, turn("x", 90), dark, 8)
         root = middle + [-duct * 0.6, 0, duct]
     else:
-        side = rng.choice([-1, 1])
-        for k in range(2):
-            kit.add(BOX, tail + [-0.3 - sweep * 0.5, side * 0.12, fin * 0.8], (rng.uniform(0.3, 0.5), 0.015, 0.05), rotation=turn("y", 90 * k + 30), material=dark)
+        propeller(kit, tail + [-0.3 - sweep * 0.5, rng.choice([-1, 1]) * 0.12, fin * 0.8], rng.uniform(0.3, 0.5), turn("x", 90), dark)
         root = tail + [-0.2, 0, 0]
     kit.add(BOX, root + [-sweep / 2, 0, fin * 0.5], (rng.uniform(0.25, 0.4), 0.05, fin * 0.6), (0.6, 1), (-sweep, 0), material=trim if kit.chance(0.4) else skin)
     span = rng.uniform(0.4, 0.85)

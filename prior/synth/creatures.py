@@ -5,7 +5,7 @@ import numpy as np
 from .kit import turn
 from .layout import BALL, BOX, CYL
 from .materials import SPECKLES, paint
-from .people import skin_material
+from .people import hair_material, skin_material
 
 
 def fur_material(kit):
@@ -71,7 +71,7 @@ def bust(kit):
     """Head and shoulders, as portraits show them."""
     rng = kit.rng
     skin, cloth = skin_material(kit), kit.material()
-    hair = kit.material(base=paint(0.08, rng.uniform(0, 0.8), rng.uniform(0.02, 0.6)), pattern=1)
+    hair = hair_material(kit)
     kit.add(BALL, (0, 0, 0.1), (0.28, 0.52, 0.42), material=cloth)
     kit.add(BALL, (0, 0.36, 0.12), (0.2, 0.2, 0.24), material=cloth, mirror=True)
     kit.between((0, 0, 0.35), (0.03, 0, 0.7), 0.13, material=skin)

@@ -26,6 +26,13 @@ def wheel(kit, centre, radius, width, tyre, hub, mirror=True):
         kit.add(CYL, (x, y + width * 0.62, z), (rim * 0.9, rim * 0.9, width * 0.5), rotation=ALONG_Y, material=dark, mirror=mirror, cut=cut)
 
 
+def spoked_wheel(kit, x, radius, width, tyre, metal, spokes):
+    """An open wheel on the ground at `x`, `width` half as wide as its tyre; `spokes`: what is cut out of its disc."""
+    kit.add(TUBE, (x, 0, radius), (radius, radius, width), rotation=ALONG_Y, material=tyre)
+    kit.add(TUBE, (x, 0, radius), (radius * 0.88, radius * 0.88, width), rotation=ALONG_Y, material=tyre)
+    kit.add(CYL, (x, 0, radius), (radius * 0.97, radius * 0.97, width * 0.6), rotation=ALONG_Y, material=metal, cut=spokes)
+
+
 def forklift(kit):
     """Lift truck: counterweight, cab frame, mast, carriage and forks."""
     rng = kit.rng
@@ -317,10 +324,7 @@ def cycle(kit):
     reach = rng.uniform(0.5, 0.72)
     thick = rng.uniform(0.05, 0.09) if motor else rng.uniform(0.018, 0.03)
     for x in (reach, -reach):
-        kit.add(TUBE, (x, 0, radius), (radius, radius, thick), rotation=ALONG_Y, material=dark)
-        kit.add(TUBE, (x, 0, radius), (radius * 0.88, radius * 0.88, thick), rotation=ALONG_Y, material=dark)
-        spokes = (SPOKES, rng.integers(5, 20), rng.uniform(0.1, 0.3))
-        kit.add(CYL, (x, 0, radius), (radius * 0.97, radius * 0.97, thick * 0.6), rotation=ALONG_Y, material=metal, cut=spokes)
+        spoked_wheel(kit, x, radius, thick, dark, metal, (SPOKES, rng.integers(5, 20), rng.uniform(0.1, 0.3)))
     tube = 0.035 if motor else 0.02
     head, seat, crank = np.array([reach * 0.72, 0, 0.85]), np.array([-reach * 0.35, 0, 0.8]), np.array([-0.05, 0, radius * 0.95])
     for start, end in ((head, seat), (head - [0, 0, 0.1], crank), (seat, crank)):

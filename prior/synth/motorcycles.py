@@ -3,7 +3,8 @@
 import numpy as np
 
 from .kit import ALONG_Y, turn
-from .layout import BALL, BOX, CYL, SPOKES, TUBE
+from .layout import BALL, BOX, CYL, SPOKES
+from .machines import spoked_wheel
 from .materials import PLAIN, WRITING
 
 
@@ -79,11 +80,9 @@ def scooter(kit, coat, dark, metal):
 
 
 def tyres(kit, reach, radius, front, rear, dark, metal):
-    """Two wheels, `front` and `rear` half as wide, with cast spokes or discs and brake discs before."""
+    """Two wheels, `front` and `rear` half as wide, alike but for that, with a brake disc before."""
     rng = kit.rng
     spokes = (SPOKES, rng.integers(3, 12), rng.uniform(0.15, 0.45))
     for x, wide in ((reach, front), (-reach, rear)):
-        kit.add(TUBE, (x, 0, radius), (radius, radius, wide), rotation=ALONG_Y, material=dark)
-        kit.add(TUBE, (x, 0, radius), (radius * 0.88, radius * 0.88, wide), rotation=ALONG_Y, material=dark)
-        kit.add(CYL, (x, 0, radius), (radius * 0.95, radius * 0.95, wide * 0.6), rotation=ALONG_Y, material=metal, cut=spokes)
+        spoked_wheel(kit, x, radius, wide, dark, metal, spokes)
     kit.add(CYL, (reach, 0, radius), (radius * 0.5, radius * 0.5, front * 1.1), rotation=ALONG_Y, material=metal)

@@ -90,8 +90,8 @@ def trunk(kit, body, wide, slim, shoulders, top, bottom, stone):
     size = body.size
     deep = rng.uniform(0.1, 0.15) * wide
 
-    def part(x, y, z, half, material, **more):
-        kit.add(BALL, body.high(x, y, z), np.array(half) * size, rotation=body.trunk, material=material, **more)
+    def part(x, y, z, half, material):
+        kit.add(BALL, body.high(x, y, z), np.array(half) * size, rotation=body.trunk, material=material)
 
     part(0, 0, 0.02, (deep, 0.17 * wide, 0.15), bottom)
     part(0, 0, 0.2, (deep * 0.95, 0.17 * wide * slim, 0.19), top)
