@@ -11,6 +11,10 @@ MATCHING = 5.0  # weight of the features beside the verdict
 # After every layer. A spectrally normalised layer passes on a third of what differs between two pictures, and nine of them next to nothing
 # that a verdict could hang on: without it the critic may say the same of all pictures for thousands of steps.
 GAIN = 3.0
+# A critic that is right in so many more cases than chance would be counts whole. One that guesses asks for nothing that a view lacks.
+SURE = 0.2
+# Of its last hundred turns or so.
+MEMORY = 0.99
 
 
 class Leaky(nn.Module):
@@ -59,15 +63,16 @@ class Critic(nn.Module):
 class Adversary:
     """The critic, its optimizer and its two turns; every process holds the same (gradients are averaged)."""
 
-    def __init__(self, path=""):
+    def __init__(self, path="", device="cuda"):
         """A new critic, or the one that the file at `path` holds (`half`)."""
         self.share = 0.0
         self.turns = 0
+        self.right = torch.tensor(0.5, device=device)
         self.critic = Critic()
         if path:
             known = torch.load(path, map_location="cpu", weights_only=True)
             self.critic.load_state_dict({k: v.float() for k, v in known.items()})
-        self.critic.cuda().to(memory_format=torch.channels_last)
+        self.critic.to(device).to(memory_format=torch.channels_last)
         self.optimizer = torch.optim.Adam(self.critic.parameters(), betas=(0.5, 0.99))
         if dist.is_initialized():
             for value in (*self.critic.parameters(), *self.critic.buffers()):
@@ -75,12 +80,13 @@ class Adversary:
 
     def state(self):
         """Everything that `go_on` needs."""
-        return {"net": self.critic.state_dict(), "opt": self.optimizer.state_dict(), "turns": self.turns}
+        return {"net": self.critic.state_dict(), "opt": self.optimizer.state_dict(), "turns": self.turns, "right": self.right}
 
     def go_on(self, state):
         self.critic.load_state_dict(state["net"])
         self.optimizer.load_state_dict(state["opt"])
         self.turns = state["turns"]
+        self.right = state["right"]
 
     def half(self):
         """The critic's parameters and buffers in float16."""
@@ -126,17 +132,33 @@ class Adversary:
     def heeded(self, answer, truth, crop, loss, dressed):
         """A term to add to `loss`, and how often the critic is right. answer, truth: [B, V, 4, S, S]; crop: [B, 4, S, S].
 
-        The term's slope at the views is the critic's demand, as long as `share` of the slope of `loss`. Only views after
-        the first count: the first is the photo's own; and not the first `dressed` subjects, whose crops wear textures that the
-        true views lack.
+        The term's slope at the views is the critic's demand, as long as `share` of the slope of `loss`, and shorter where the critic
+        is not to be trusted (`trust`). Only views after the first count: the first is the photo's own; and not the first `dressed`
+        subjects, whose crops wear textures that the true views lack.
         """
         own = torch.autograd.grad(loss, answer, retain_graph=True)[0][dressed:, 1:]
         views = answer.shape[1] - 1
         made, true = answer[dressed:, 1:].flatten(0, 1), truth[dressed:, 1:].flatten(0, 1)
         beside = crop[dressed:].repeat_interleave(views, 0)
         demand = self.demand(made, true, beside)
-        demand = demand * (self.share * own.norm() / demand.norm().clamp(min=1e-12))
-        return (made * demand).sum(), self.turn(made, true, beside)
+        demand = demand * (self.share * trust(self.right) * own.norm() / demand.norm().clamp(min=1e-12))
+        right = self.turn(made, true, beside)
+        self.right = self.right.lerp(shared(right), 1 - MEMORY)
+        return (made * demand).sum(), right
+
+
+def trust(right):
+    """How much a critic counts, 0..1, that is right in this share of the cases: nothing at 0.5, which is chance."""
+    return ((right - 0.5) / SURE).clamp(0, 1)
+
+
+def shared(figure):
+    """The mean of all processes' figures."""
+    if dist.is_initialized():
+        figure = figure.clone()
+        dist.all_reduce(figure)
+        figure /= dist.get_world_size()
+    return figure
 
 
 def averaged(net):

@@ -198,6 +198,29 @@ def test_a_new_critic_tells_pictures_apart():
     assert all(0.1 < f.std() < 50 for f in features)
 
 
+def test_a_critic_that_guesses_is_not_heeded():
+    torch = pytest.importorskip("torch")
+    from critic import SURE, Adversary
+
+    torch.manual_seed(10)
+    adversary = Adversary(device="cpu")
+    adversary.follow(3e-4, 1.5)
+    truth, crop = torch.rand(2, 3, 4, 128, 128), torch.rand(2, 4, 128, 128)
+
+    def asked():
+        answer = torch.rand(2, 3, 4, 128, 128, requires_grad=True)
+        loss = ((answer - truth) ** 2).mean()
+        term, right = adversary.heeded(answer, truth, crop, loss, 1)
+        own, slope = torch.autograd.grad(loss, answer)[0], torch.autograd.grad(term, answer)[0]
+        assert 0 <= right <= 1 and not slope[:1].any() and not slope[:, :1].any()
+        return (slope.norm() / own[1:, 1:].norm()).item()
+
+    assert asked() == 0
+    for over, counts in ((SURE / 2, 0.75), (2 * SURE, 1.5)):
+        adversary.right = torch.tensor(0.5 + over)
+        assert asked() == pytest.approx(counts, rel=1e-3)
+
+
 def test_what_is_held_does_not_learn():
     pytest.importorskip("torch")
     from train import learns
@@ -391,3 +414,52 @@ def test_masks_grow_by_rows_and_columns_as_by_squares():
     torch.manual_seed(9)
     mask = torch.rand(2, 1, 40, 40)
     assert torch.equal(grown(mask, 5), torch.nn.functional.max_pool2d(mask, 11, 1, 5))
+
+
+def boxed(centre, half, rotation=None, kind=layout.BOX):
+    from synth.kit import Primitive
+
+    rotation = np.eye(3) if rotation is None else rotation
+    return Primitive(kind, np.array(centre, float), np.array(half, float), (1, 1), (0, 0), rotation, None)
+
+
+def test_reshaped_objects_stay_symmetric_and_in_one_piece():
+    from synth.kit import ALONG_Y, turn
+    from synth.variation import Warp, reshaped
+
+    flip = np.diag([1.0, -1, 1])
+    for seed in range(20):
+        warp = Warp(np.array([-2.0, -1, 0]), np.array([2.0, 1, 3]), np.random.default_rng(seed))
+        low, high = boxed((0.4, 0.3, 0.5), (0.6, 0.2, 0.5)), boxed((0.4, 0.3, 1.6), (0.3, 0.2, 0.6))
+        spin = turn("z", 25) @ turn("x", 40)
+        bar, twin = boxed((1, 0.5, 1), (0.05, 0.05, 0.9), spin), boxed((1, -0.5, 1), (0.05, 0.05, 0.9), flip @ spin @ flip)
+        wheel = boxed((-1, 0.8, 0.4), (0.4, 0.4, 0.1), ALONG_Y, layout.CYL)
+        low, high, bar, twin, wheel = reshaped([low, high, bar, twin, wheel], warp)
+        # What stood on the other still does, and nothing lies askew that did not.
+        assert low.centre[2] + low.half[2] == pytest.approx(high.centre[2] - high.half[2])
+        assert np.allclose(low.rotation, np.eye(3)) and low.half.min() > 0
+        # Twins stay twins, and a bar ends where the warp takes its end.
+        assert np.allclose(flip @ bar.centre, twin.centre) and np.allclose(bar.half, twin.half)
+        assert np.allclose(flip @ bar.rotation @ flip, twin.rotation)
+        assert np.allclose(bar.centre + bar.rotation[:, 2] * bar.half[2], warp(np.array([1, 0.5, 1]) + 0.9 * spin[:, 2]), atol=0.03)
+        # Wheels stay round and on their ground.
+        assert wheel.half[0] == wheel.half[1]
+        assert wheel.centre[2] - wheel.half[1] == pytest.approx(warp([-1, 0.8, 0.0])[2], abs=0.08)
+
+
+def test_small_things_sit_on_what_carries_them():
+    from synth.kit import Kit
+    from synth.variation import EXTRAS, adorned
+
+    counts = set()
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        host = boxed((0, 0, 1), (2, 1, 1))
+        primitives = adorned([host], np.array([-2.0, -1, 0]), np.array([2.0, 1, 2]), 5, rng, Kit(rng).material)
+        counts.add(len(primitives))
+        assert primitives[0] is host and len(primitives) <= 6
+        for extra in primitives[1:]:
+            # The nearest point of the host is no further off than the thing reaches.
+            off = np.maximum(np.abs(extra.centre - host.centre) - host.half, 0)
+            assert (off <= extra.half + 1e-9).all()
+    assert len(counts) > 3 and EXTRAS >= 3

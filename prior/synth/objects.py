@@ -23,6 +23,7 @@ from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
+from .variation import Warp, adorned, reshaped
 from .vehicles import bus, car, tank, truck
 from .wheeled import carrier, covered_lorry, offroad, van
 
@@ -126,6 +127,12 @@ ROUNDED = 0.55
 EXPONENTS = (3.2, 14.0)
 
 
+# What nothing is fixed to.
+ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, leafy, broadleaf, plant}
+# So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
+RESHAPED = 0.4
+ADORNED = 0.25
+
 # All around, for `superellipsoid`: the corners and edges of a cube, where it bends most, and what lies between.
 DIRECTIONS = np.array([d for d in np.ndindex(9, 9, 9) if 0 in d or 8 in d]) / 4.0 - 1
 
@@ -151,6 +158,10 @@ def make_object(seed, maker=None):
     maker(kit)
     stretch = draw_stretch(rng)
     primitives = [stretched(p, stretch) for p in kit.primitives[:PRIMS]]
+    if rng.random() < RESHAPED:
+        primitives = reshaped(primitives, Warp(*bounds(primitives), rng))
+    if maker not in ALIVE and rng.random() < ADORNED:
+        primitives = adorned(primitives, *bounds(primitives), PRIMS - len(primitives), rng, kit.material)
     if maker not in ANGULAR and rng.random() < ROUNDED:
         primitives = rounded(primitives, rng)
     low, high = bounds(primitives)
