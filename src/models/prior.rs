@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.9",
-    sha256: "431027d43172b57f5b90b456882340e96db98a6aaf5367cb25ba985990b1ae15",
+    version: "0.10",
+    sha256: "f9b12a9ed6ed83ca522e2a72e57d43160f3158274a12b3f34f80e96cd606846b",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
