@@ -47,12 +47,8 @@ class Kit:
         centre = np.array(centre, float)
         half = np.maximum(np.array(half, float), 1e-3)
         material = material or self.material()
-        self.primitives.append(Primitive(kind, centre, half, taper, shift, rotation, material, cut, self.bevel))
-        if mirror:
-            flip = np.diag([1.0, -1, 1])
-            twin_shift = (shift[0], -shift[1])
-            twin = Primitive(kind, flip @ centre, half, taper, twin_shift, flip @ rotation @ flip, material, cut, self.bevel)
-            self.primitives.append(twin)
+        made = Primitive(kind, centre, half, taper, shift, rotation, material, cut, self.bevel)
+        self.primitives += [made, mirrored(made)] if mirror else [made]
 
     def material(self, base=None, dark=False, pattern=None, frequency=None, gloss=None, second=None):
         """A random material with whatever is given fixed; colours in linear light."""
@@ -114,6 +110,12 @@ class Kit:
         half = (flat / 2, thick, height / 2)
         share = self.rng.uniform(0.25, 0.55)
         self.add(BOX, middle, half, rotation=spin, material=material, cut=(kind, 1 / spacing, share))
+
+
+def mirrored(p):
+    """The primitive's twin across the plane y = 0."""
+    flip = np.diag([1.0, -1, 1])
+    return p._replace(centre=flip @ p.centre, shift=(p.shift[0], -p.shift[1]), rotation=flip @ p.rotation @ flip)
 
 
 def towards(direction):

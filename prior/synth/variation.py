@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from .kit import ALONG_X, ALONG_Y, Primitive, turn
+from .kit import ALONG_X, ALONG_Y, Primitive, mirrored, turn
 from .layout import BALL, BOX, CYL, SOLID
 
 # Slopes of the maps along x (forward), y (left) and z (up) differ from their mean by up to so much.
 UNEVEN = (0.4, 0.35, 0.4)
 # Standard deviation of the logarithm of each axis' mean slope.
 STRETCH = 0.14
-# Small things on an object, at most; and their sizes over half the diagonal of its box.
+# Small things on one side of an object, at most; and the logarithms of their half sizes over half the diagonal of its box.
 EXTRAS = 6
-EXTRA_SIZE = (0.015, 0.13)
+EXTRA_SIZE = np.log((0.009, 0.078))
 
 
 class Warp:
@@ -86,14 +86,12 @@ def adorned(primitives, low, high, room, rng, material):
         elif host.kind == CYL and face < 2:
             place[:2] /= np.linalg.norm(place[:2])
         centre = host.centre + host.rotation @ (place * host.half)
-        low_size, high_size = np.log(EXTRA_SIZE)
-        half = np.exp(rng.uniform(low_size, high_size, 3)) * size * 0.6
+        half = np.exp(rng.uniform(*EXTRA_SIZE, 3)) * size
         extra = thing(centre, half, size, rng, look, host.bevel)
         extras.append(extra)
         if abs(centre[1]) > half[1] and rng.random() < 0.75:
-            flip = np.diag([1.0, -1, 1])
-            extras.append(extra._replace(centre=flip @ centre, rotation=flip @ extra.rotation @ flip))
-    return primitives + extras[: max(0, room)]
+            extras.append(mirrored(extra))
+    return primitives + extras[:room]
 
 
 def thing(centre, half, size, rng, look, bevel):
