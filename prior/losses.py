@@ -142,10 +142,11 @@ NARROW = 7
 SLENDER_WEIGHT = 2.0
 
 
-def splat_step(net, pool, n, heed=None):
+def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0):
     """Returns loss, figures {name: number} and picture columns, each [n, 3, S, S] in 0..1.
 
-    `heed` adds what a critic asks for: `critic.Adversary.heeded`.
+    `heed` adds what a critic asks for: `critic.Adversary.heeded`. `perceived`: weight of how unlike views look to `perception`, a
+    `perception.Perception`.
     """
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
@@ -179,6 +180,9 @@ def splat_step(net, pool, n, heed=None):
         "zoom": (splats["camera"] - batch.camera)[:, 0].abs().mean(),
         "el_deg": off,
     }
+    if perception:
+        figures["unlike"] = perceived_loss(perception, made, torch.cat([truth, batch.alpha], 2), batch)
+        loss = loss + perceived * figures["unlike"]
     if heed:
         asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), halved(batch.rgba), loss, batch.dressed)
         loss = loss + asked
@@ -299,6 +303,17 @@ def silhouette_losses(alpha, truth):
     """1 - Dice of each view's coverage, [n, V, 1, 1, 1], of [n, V, 1, S, S]: the same for slender subjects as for full ones."""
     overlap = (alpha * truth).sum((2, 3, 4), keepdim=True)
     return 1 - (2 * overlap + 1) / ((alpha + truth).sum((2, 3, 4), keepdim=True) + 1)
+
+
+def perceived_loss(perception, answer, truth, batch):
+    """How unlike views [n, V, 4, S, S] look in the mean, by the subjects' importance.
+
+    Of each subject the second view, near the photo's, and the fourth, from anywhere; not of the first `dressed` ones, whose crops
+    wear textures that the true views lack.
+    """
+    answer, truth, weight = (t[batch.dressed :] for t in (answer, truth, importance(batch)[:, 0, 0, 0]))
+    unlike = perception(answer[:, 1::2].flatten(0, 1), truth[:, 1::2].flatten(0, 1))
+    return (unlike.reshape(len(answer), -1) * weight).mean()
 
 
 def loosened(error, dressed):

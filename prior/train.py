@@ -27,6 +27,7 @@ from critic import Adversary
 from losses import STEPS
 from muon import Muon
 from nets import NETS, Block, Res, load_weights
+from perception import Perception
 from pictures import save_sheet
 from restore import calibrate, generated_inputs, state_from_onnx
 from synth.batches import make_pool
@@ -58,6 +59,8 @@ def arguments():
     parser.add_argument("--critic", type=float, default=0, help="SplatNet: slope of a critic's demand over that of the loss")
     parser.add_argument("--critic-from", type=float, default=0, help="share of the schedule that passes before there is a critic")
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
+    parser.add_argument("--perception", type=float, default=0, help="SplatNet: weight of how unlike its views look to --eyes, 0.04 for one")
+    parser.add_argument("--eyes", default="detail.onnx", help="DetailNet's weights, which --perception looks by")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--hold", nargs="*", default=[], help="parameters whose names begin so stay as they are, net.mid for one")
     parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
@@ -277,6 +280,9 @@ def main():
     take_step = STEPS[args.net]
     if masks:
         take_step = functools.partial(take_step, masks=masks)
+    if args.perception and args.net == "splat":
+        perception = Perception(args.eyes).cuda().to(memory_format=torch.channels_last)
+        take_step = functools.partial(take_step, perception=perception, perceived=args.perception)
     step, spent, columns = train(net, take_step, optimizers, average, adversary, pool, args, spent, step, rank, world)
     if rank == 0:
         save(net, average, optimizers, adversary, spent, step, path)
