@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.10",
-    sha256: "f9b12a9ed6ed83ca522e2a72e57d43160f3158274a12b3f34f80e96cd606846b",
+    version: "0.11",
+    sha256: "c9a12ccaa9bf02c2755fced43c406834370cbc0e78d49c99e0887e3860174099",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
