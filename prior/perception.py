@@ -42,7 +42,7 @@ class Perception(nn.Module):
         return [F.normalize(x.float(), dim=1, eps=1e-4) for x, weight in zip(levels, LEVEL_WEIGHTS, strict=True) if weight]
 
     def forward(self, answer, truth):
-        """How unlike the views answer and truth [n, 4, S, S] look, [n]: 0 where they are the same, 4 to 8 where no feature is."""
+        """How unlike the views answer and truth [n, 4, S, S] look, [n]: 0 where they are the same, 8 where they have no feature in common."""
         with torch.autocast(answer.device.type, torch.bfloat16):
             with torch.no_grad():
                 goal = self.features(truth)
