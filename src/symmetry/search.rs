@@ -66,9 +66,10 @@ impl Fit {
     }
 
     /// Whether nothing speaks against it. Of what is photographed from the side the photo shows no two points that are each
-    /// other's mirror image, so that nothing can speak for it: most bodies with a long side are alike on both.
+    /// other's mirror image, so that nothing can speak for it: most bodies with a long side are alike on both. Where much of what
+    /// was seen meets nothing, a nose and two paws stand at a back.
     pub fn plausible(&self) -> bool {
-        self.gives() && self.askew() < 0.45 && self.elongation < 1.2
+        self.gives() && self.askew() < 0.45 && self.elongation < 1.2 && self.stray < 0.15
     }
 
     /// The same of the plane at right angles to another one. That a back is like its front is said more rarely.
