@@ -9,8 +9,10 @@ from .aircraft import jet, rocket, rotorcraft
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
+from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
+from .groups import group
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .kit import Kit, turn
@@ -103,6 +105,15 @@ MAKERS = [
     (gadget, 5),
     (clothing, 4),
     (instrument, 4),
+    (warship, 6),
+    (biplane, 4),
+    (unmanned, 5),
+    (trailer, 5),
+    (waggon, 4),
+    (hut, 6),
+    (dish, 4),
+    (truss_bridge, 2),
+    (group, 9),
     (kitbash, 5),
     (blob, 9),
 ]
@@ -114,13 +125,14 @@ COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, pe
 # What has thin or pierced parts.
 SLENDER = {
     *(motorcycle, cycle, open_car, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
+    *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
-    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill),
+    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
@@ -128,7 +140,7 @@ EXPONENTS = (3.2, 14.0)
 
 
 # What nothing is fixed to.
-ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, leafy, broadleaf, plant}
+ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, leafy, broadleaf, plant}
 # So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
 RESHAPED = 0.4
 ADORNED = 0.25

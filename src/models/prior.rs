@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.11",
-    sha256: "c9a12ccaa9bf02c2755fced43c406834370cbc0e78d49c99e0887e3860174099",
+    version: "0.12",
+    sha256: "cfc79f2f2cecf108915cf8d11843e55067dd7234f38e37a15b041d345511e2e6",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
