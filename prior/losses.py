@@ -180,11 +180,12 @@ def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0):
         "zoom": (splats["camera"] - batch.camera)[:, 0].abs().mean(),
         "el_deg": off,
     }
+    true = torch.cat([truth, batch.alpha], 2)
     if perception:
-        figures["unlike"] = perceived_loss(perception, made, torch.cat([truth, batch.alpha], 2), batch)
+        figures["unlike"] = perceived_loss(perception, made, true, batch)
         loss = loss + perceived * figures["unlike"]
     if heed:
-        asked, figures["critic"] = heed(made, torch.cat([truth, batch.alpha], 2), halved(batch.rgba), loss, batch.dressed)
+        asked, figures["critic"] = heed(made, true, halved(batch.rgba), loss, batch.dressed)
         loss = loss + asked
     columns = [halved(batch.rgba[:, :3]), *truth.unbind(1), *answer.unbind(1)]
     return loss, figures, columns

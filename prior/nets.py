@@ -91,11 +91,8 @@ class UNet(nn.Module):
 
     def forward(self, x, beside=0):
         """`beside` [B, widths[0], S, S]: what is known at each pixel from elsewhere, added to the stem's features."""
-        x = self.stem(x) + beside
-        skips = []
-        for i, down in enumerate(self.down):
-            x = down(x if i == 0 else F.avg_pool2d(x, 2))
-            skips.append(x)
+        skips = way_down(self.down, self.stem(x) + beside)
+        x = skips[-1]
         tokens = self.norm(attended(x, self.pos, self.mid))
         x = as_map(tokens, x.shape)
         for i, up in enumerate(self.up):
@@ -105,6 +102,15 @@ class UNet(nn.Module):
             if i == 1 and len(self.near):
                 x = as_map(attended(x, self.pos_near, self.near), x.shape)
         return self.head(x), tokens.mean(1), x
+
+
+def way_down(levels, x):
+    """What every level makes of the stem's features [B, C, S, S], each half as fine as the one before."""
+    made = []
+    for blocks in levels:
+        x = blocks(F.avg_pool2d(x, 2) if made else x)
+        made.append(x)
+    return made
 
 
 def attended(x, positions, blocks):

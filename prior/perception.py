@@ -5,7 +5,7 @@ import torch.nn.functional as F
 from torch import nn
 
 from average import folded
-from nets import DetailNet, Res, load_weights
+from nets import DetailNet, Res, load_weights, way_down
 
 # Of each level of DetailNet's way down that is compared, from the finest: nothing of the two finest, which see what pixels see.
 LEVEL_WEIGHTS = (0, 0, 1, 1, 2)
@@ -34,11 +34,7 @@ class Perception(nn.Module):
     def features(self, views):
         """Views [n, 4, S, S], colours over a backdrop and coverage, 0..1 -> the compared levels, [n, C, s, s] each, of length 1 at every pixel."""
         larger = F.interpolate(views, scale_factor=float(LARGER), mode="bilinear")
-        x = self.stem((larger * 2 - 1).contiguous(memory_format=torch.channels_last))
-        levels = []
-        for i, down in enumerate(self.down):
-            x = down(x if i == 0 else F.avg_pool2d(x, 2))
-            levels.append(x)
+        levels = way_down(self.down, self.stem((larger * 2 - 1).contiguous(memory_format=torch.channels_last)))
         return [F.normalize(x.float(), dim=1, eps=1e-4) for x, weight in zip(levels, LEVEL_WEIGHTS, strict=True) if weight]
 
     def forward(self, answer, truth):
