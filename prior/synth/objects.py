@@ -6,6 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .aircraft import jet, rocket, rotorcraft
+from .armour import gunship, tracked
+from .arms import fare, hand_tool
 from .buildings import house, mast, store, tower
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
@@ -28,6 +30,8 @@ from .things import figure, furniture, kitbash, plant, ware
 from .variation import Warp, adorned, reshaped
 from .vehicles import bus, car, tank, truck
 from .wheeled import carrier, covered_lorry, offroad, van
+from .wild import crawler, sprout
+from .works import barrier, works
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
@@ -42,7 +46,8 @@ MAKERS = [
     (van, 9),
     (covered_lorry, 8),
     (carrier, 8),
-    (tank, 7),
+    (tank, 4),
+    (tracked, 14),
     (gun, 5),
     (forklift, 6),
     (digger, 6),
@@ -51,6 +56,7 @@ MAKERS = [
     (plane, 5),
     (jet, 12),
     (helicopter, 6),
+    (gunship, 7),
     (rotorcraft, 9),
     (rocket, 4),
     (ship, 4),
@@ -114,6 +120,12 @@ MAKERS = [
     (dish, 4),
     (truss_bridge, 2),
     (group, 9),
+    (works, 6),
+    (barrier, 6),
+    (crawler, 5),
+    (sprout, 5),
+    (hand_tool, 6),
+    (fare, 5),
     (kitbash, 5),
     (blob, 9),
 ]
@@ -125,14 +137,14 @@ COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, pe
 # What has thin or pierced parts.
 SLENDER = {
     *(motorcycle, cycle, open_car, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
-    *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge),
+    *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge, tracked, gunship, works, crawler, sprout, hand_tool),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
-    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge),
+    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
@@ -140,7 +152,7 @@ EXPONENTS = (3.2, 14.0)
 
 
 # What nothing is fixed to.
-ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, leafy, broadleaf, plant}
+ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant}
 # So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
 RESHAPED = 0.4
 ADORNED = 0.25
