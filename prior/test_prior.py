@@ -466,6 +466,40 @@ def test_reshaped_objects_stay_symmetric_and_in_one_piece():
         assert wheel.centre[2] - wheel.half[1] == pytest.approx(warp([-1, 0.8, 0.0])[2], abs=0.08)
 
 
+def test_what_is_together_stands_on_one_ground_and_leaves_room_for_all():
+    from synth.groups import group, largest, reach
+    from synth.kit import Kit
+
+    for seed in range(40):
+        kit = Kit(np.random.default_rng(seed))
+        group(kit)
+        low, high = reach(kit.primitives)
+        assert 2 <= len(kit.primitives) <= layout.PRIMS
+        assert abs(low[2]) < 1e-6 and (high > low).all()
+        kept = largest(kit.primitives, 3)
+        shortest = min(np.sort(p.half)[1:].sum() for p in kept)
+        left_out = [p for p in kit.primitives if not any(p is k for k in kept)]
+        assert len(kept) == min(3, len(kit.primitives))
+        assert all(np.sort(p.half)[1:].sum() <= shortest for p in left_out)
+
+
+def test_every_maker_fills_its_box_and_is_the_same_again():
+    """Of each maker five objects: no primitive is flat beyond sight or outside the unit sphere, and no maker is so large that its main
+    parts would be cut off."""
+    from synth.kit import Kit
+    from synth.objects import MAKERS
+
+    for maker, _ in MAKERS:
+        for seed in range(5):
+            rows, count, ground, by = make_object(seed, maker)
+            assert by is maker and count >= 1 and ground < 0, maker.__name__
+            assert (np.linalg.norm(rows[:count, layout.CENTRE], axis=1) <= 1).all(), maker.__name__
+            assert rows.tobytes() == make_object(seed, maker)[0].tobytes(), maker.__name__
+            kit = Kit(np.random.default_rng(seed))
+            maker(kit)
+            assert len(kit.primitives) <= 1.25 * layout.PRIMS, maker.__name__
+
+
 def test_small_things_sit_on_what_carries_them():
     from synth.kit import Kit
     from synth.variation import adorned

@@ -9,6 +9,7 @@ from .aircraft import jet, rocket, rotorcraft
 from .armour import gunship, tracked
 from .arms import fare, hand_tool
 from .buildings import house, mast, store, tower
+from .characters import character, rider
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
 from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
@@ -25,6 +26,8 @@ from .motorcycles import motorcycle
 from .open_cars import open_car
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
+from .rooms import appliance, large_furniture
+from .service import airborne, service_lorry
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .variation import Warp, adorned, reshaped
@@ -126,6 +129,12 @@ MAKERS = [
     (sprout, 5),
     (hand_tool, 6),
     (fare, 5),
+    (service_lorry, 9),
+    (airborne, 5),
+    (character, 8),
+    (rider, 5),
+    (appliance, 7),
+    (large_furniture, 7),
     (kitbash, 5),
     (blob, 9),
 ]
@@ -138,13 +147,14 @@ COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, pe
 SLENDER = {
     *(motorcycle, cycle, open_car, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
     *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge, tracked, gunship, works, crawler, sprout, hand_tool),
+    *(airborne, character, rider, appliance),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
-    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier),
+    *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier, large_furniture),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
@@ -152,7 +162,7 @@ EXPONENTS = (3.2, 14.0)
 
 
 # What nothing is fixed to.
-ALIVE = {animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant}
+ALIVE = {character, rider, animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant}
 # So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
 RESHAPED = 0.4
 ADORNED = 0.25
