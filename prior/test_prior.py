@@ -483,9 +483,8 @@ def test_what_is_together_stands_on_one_ground_and_leaves_room_for_all():
         assert all(np.sort(p.half)[1:].sum() <= shortest for p in left_out)
 
 
-def test_every_maker_fills_its_box_and_is_the_same_again():
-    """Of each maker five objects: no primitive is flat beyond sight or outside the unit sphere, and no maker is so large that its main
-    parts would be cut off."""
+def test_every_maker_makes_the_same_again_inside_the_unit_sphere():
+    """Of each maker five objects; none has so many primitives that its main parts would be cut off."""
     from synth.kit import Kit
     from synth.objects import MAKERS
 

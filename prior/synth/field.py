@@ -274,7 +274,7 @@ def warship(kit):
         kit.add(BOX, (0, 0, top + 0.1), (long * 0.98, wide * 1.3, 0.05), material=dark)
         kit.add(BOX, (long * rng.uniform(-0.2, 0.3), -wide * 1.0, top + 0.45), (long * 0.18, wide * 0.16, 0.3), (0.8, 0.9), material=grey)
         island = (long * 0.05, -wide * 1.0, top + 0.75)
-        for k in range(int(rng.integers(2, 6))):
+        for _ in range(int(rng.integers(2, 6))):
             at = (rng.uniform(-0.8, 0.6) * long, rng.uniform(-0.2, 0.9) * wide, top + 0.2)
             kit.add(BOX, at, (0.22, 0.05, 0.05), (0.5, 1), material=deck)
             kit.add(BOX, at, (0.06, 0.2, 0.02), material=deck)
@@ -282,7 +282,7 @@ def warship(kit):
         x = long * rng.uniform(0.15, 0.4)
         houses = int(rng.integers(1, 4))
         roofs = []
-        for k in range(houses):
+        for _ in range(houses):
             half, tall = long * rng.uniform(0.08, 0.24), rng.uniform(0.12, 0.3)
             x -= half
             slope = rng.uniform(0.8, 0.98)

@@ -37,7 +37,7 @@ def group(kit):
 
 
 def largest(primitives, count):
-    """The `count` longest primitives, in their order: an animal loses its claws and eyes, not its legs."""
+    """The `count` primitives with the largest sums of their two longest half sizes, in their order: an animal loses its claws and eyes, not its legs."""
     longest = sorted(range(len(primitives)), key=lambda i: -np.sort(primitives[i].half)[1:].sum())[:count]
     return [primitives[i] for i in sorted(longest)]
 

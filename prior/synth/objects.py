@@ -6,12 +6,14 @@ from typing import NamedTuple
 import numpy as np
 
 from .aircraft import jet, rocket, rotorcraft
+from .airships import airborne
 from .armour import gunship, tracked
-from .arms import fare, hand_tool
+from .arms import hand_tool
 from .buildings import house, mast, store, tower
 from .characters import character, rider
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
+from .fare import fare
 from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
@@ -27,7 +29,7 @@ from .open_cars import open_car
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .rooms import appliance, large_furniture
-from .service import airborne, service_lorry
+from .service import service_lorry
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .variation import Warp, adorned, reshaped

@@ -90,7 +90,7 @@ def sprout(kit):
         tall, lean = rng.uniform(1.5, 3.2), rng.normal(0, 0.25, 2)
         top = np.array([*lean, tall])
         kit.chain([(0, 0, 0), (lean[0] * 0.3, lean[1] * 0.3, tall * 0.5), top], [0.14, 0.1, 0.08], bark)
-        for k in range(int(rng.integers(7, 15))):
+        for _ in range(int(rng.integers(7, 15))):
             angle, rise, reach = rng.uniform(0, 2 * np.pi), rng.uniform(-0.3, 0.6), rng.uniform(0.7, 1.2)
             out = np.array([np.cos(angle), np.sin(angle), 0])
             bend = top + out * reach * 0.5 + [0, 0, rise * 0.6]
