@@ -67,8 +67,8 @@ def hut(kit):
         kit.loft((0, 0, 0), [(0, wide), (high * 0.4, wide * 0.93), (high * 0.72, wide * 0.7), (high * 0.92, wide * 0.38), (high, wide * 0.1)], skin, flat=flat)
         trim = kit.material()
         kit.add(BOX, (wide * 0.86, 0, high * 0.3), (0.16, wide * 0.3, high * 0.3), (0.5, 0.6), (-0.2, 0), material=dark)
+        kit.add(TUBE, (0, 0, 0.03), (wide * 1.02, wide * flat * 1.02, 0.03), material=trim)
         for spin in rng.uniform(0, 180, 2):
-            kit.add(TUBE, (0, 0, 0.03), (wide * 1.02, wide * flat * 1.02, 0.03), material=trim)
             kit.add(BOX, (0, 0, high * 0.99), (wide * 0.12, 0.02, 0.02), rotation=turn("z", spin), material=trim)
     else:
         earth = kit.material(base=np.array([0.25, 0.2, 0.12]) * rng.uniform(0.4, 1.8), pattern=CLOUDY, frequency=rng.uniform(5, 20))

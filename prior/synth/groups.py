@@ -3,6 +3,7 @@
 import numpy as np
 
 from .creatures import bird, quadruped, sitting, soft_toy
+from .extent import bounds
 from .household import seat, turned, vessel
 from .kit import turn
 from .layout import PRIMS
@@ -26,7 +27,7 @@ def group(kit):
             made, kit.primitives = largest(kit.primitives, PRIMS // members), []
         spin = turn("z", rng.uniform(0, 360) if spread == "anyhow" else rng.normal(0, 12))
         member = [p._replace(centre=spin @ p.centre, rotation=spin @ p.rotation) for p in made]
-        low, high = reach(member)
+        low, high = bounds(member)
         size = np.linalg.norm(high - low)
         along = 0 if spread == "file" else 1
         at = np.array([*(rng.normal(0, 0.12, 2) * size), -low[2]])
@@ -40,9 +41,3 @@ def largest(primitives, count):
     """The `count` primitives with the largest sums of their two longest half sizes, in their order: an animal loses its claws and eyes, not its legs."""
     longest = sorted(range(len(primitives)), key=lambda i: -np.sort(primitives[i].half)[1:].sum())[:count]
     return [primitives[i] for i in sorted(longest)]
-
-
-def reach(primitives):
-    """Lowest and highest corner, [3] each, of a box around all primitives, a little large."""
-    ends = [(p.centre, np.abs(p.rotation) @ p.half) for p in primitives]
-    return np.min([c - r for c, r in ends], 0), np.max([c + r for c, r in ends], 0)

@@ -1,0 +1,272 @@
+"""Checks of the generator that need no GPU: python -m pytest test_synth.py."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from synth import layout
+from synth.objects import make_object
+
+HERE = Path(__file__).parent
+SEEDS = range(200)
+
+
+def enumerators(text):
+    """{name: value} of all enums in C source."""
+    found = {}
+    for body in re.findall(r"enum\s*\{(.*?)\}", text, re.S):
+        found |= {name: int(value) for name, value in re.findall(r"(\w+)\s*=\s*(\d+)", body)}
+    return found
+
+
+def test_kernel_and_generator_share_their_columns():
+    kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
+    first = {"FIRST": layout.COLOURS[0].start, "SECOND": layout.COLOURS[1].start, "ROW": layout.FLOATS}
+    for name, value in kernel.items():
+        expected = first.get(name, getattr(layout, name, None))
+        if isinstance(expected, slice):
+            expected = expected.start
+        if expected is not None:
+            assert value == expected, name
+    assert kernel["SUBJECT"] == layout.SUBJECT
+
+
+def test_same_seed_same_bytes():
+    for seed in SEEDS:
+        assert make_object(seed)[0].tobytes() == make_object(seed)[0].tobytes()
+
+
+def test_objects_stand_on_their_ground_inside_the_unit_sphere():
+    for seed in SEEDS:
+        rows, count, ground, _ = make_object(seed)
+        assert 1 <= count <= layout.PRIMS
+        assert not rows[count:].any()
+        assert np.isfinite(rows).all()
+        assert -1 < ground < 0
+        assert (rows[:count, layout.HALF_SIZE] > 0).all()
+        assert (np.linalg.norm(rows[:count, layout.CENTRE], axis=1) <= 1).all()
+
+
+def test_bounding_boxes_fit():
+    """The lowest point that rays meet is the ground, and the box's diagonal is 2: nothing is smaller than it says."""
+    torch = pytest.importorskip("torch")
+    from synth.cameras import look_at, pack
+    from synth.environments import environments
+    from synth.raycast import cast
+
+    seeds = range(40)
+    made = [make_object(seed) for seed in seeds]
+    prims = torch.from_numpy(np.stack([m.rows for m in made]))
+    # What leaves and bars leave open does not count, nor what is turned at random about the vertical.
+    prims[..., layout.CUTOUT] = 0
+    counts = torch.tensor([m.count for m in made], dtype=torch.int32)
+    eye = torch.tensor([[80.0, 0, 0]]).expand(len(made), 3)
+    cameras = pack(*look_at(eye), torch.full((len(made),), 0.03), 160, subject_only=True)
+    surroundings = environments(len(made), torch.full((len(made),), -1e3), "cpu")
+    # Sixteen rays a pixel: spires are thin.
+    _, alpha, _, _ = cast(prims, counts, torch.arange(len(made), dtype=torch.int32), cameras, surroundings, 160, 4)
+    rows = [torch.where(a.amax(1) > 0)[0] for a in alpha]
+    unit = 80 * 2 * np.tan(0.015) / 160
+    bottom = np.array([80 - (r.max().item() + 1) for r in rows]) * unit
+    top = np.array([80 - r.min().item() for r in rows]) * unit
+    grounds = np.array([m.ground for m in made])
+    assert np.abs(bottom - grounds).max() < 6 * unit
+    assert np.abs(top + grounds).max() < 6 * unit
+
+
+def test_enumerations_of_the_kernel_are_those_of_the_layout():
+    kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
+    for name in ("BOX BALL CYL TUBE PRISM LEAVES BARS RUNGS LATTICE GRID SPOKES OPEN_SKY LANDSCAPE WALL NOISE_ROOM "
+                 "CLUTTER TREES TOWN ROOM NO_CASTER ROOFLINE CROWN POSTS EARTH TILED PAVED GRASS WATER PLANKED RUNWAY CUTOUT CUT_FREQUENCY CUT_SHARE BEVEL").split():  # fmt: skip
+        assert kernel[name] == getattr(layout, name), name
+
+
+def test_generated_batches_are_finite_and_points_lie_on_subjects():
+    torch = pytest.importorskip("torch")
+    from nets import SplatNet
+    from synth.batches import make_pool, scene_batch, splat_batch
+    from synth.details import detail_batch
+
+    torch.manual_seed(0)
+    pool = make_pool(0, 64, 2, "cpu", textures=8)
+    scenes = scene_batch(pool, 8, size=64)
+    subjects = splat_batch(pool, 4, SplatNet.FOV, SplatNet.DIST, size=64, views=2)
+    assert all(torch.isfinite(torch.as_tensor(t)).all() for t in (*scenes, *subjects))
+    closer = detail_batch(pool, 6, lambda x: x[:, 3:], size=96, seen=64)
+    assert all(torch.isfinite(t).all() for t in closer)
+    assert 0 <= closer.rough.min() and closer.rough.max() <= 1
+    # A pixel is the subject's or in a shadow, not both at once.
+    assert scenes.shade.max() > 0.5
+    assert (scenes.shade + scenes.alpha).max() < 1 + 1e-4
+    given = scenes.point.flatten(1).amax(1) > 0
+    assert given.any()
+    at = scenes.point.flatten(1).argmax(1)
+    assert (scenes.alpha.flatten(1)[torch.arange(8), at][given] > 0.5).all()
+
+
+def test_water_takes_what_it_hides_and_shows_the_rest_once_more():
+    torch = pytest.importorskip("torch")
+    from synth import water
+
+    torch.manual_seed(3)
+    alpha = torch.zeros(300, 60, 60)
+    alpha[:, 20:40, 25:35] = 1
+    lake = water.waters(alpha)
+    lake = lake._replace(clear=torch.full((300,), 1.0))
+    wet = (lake.below > 0).any(1)
+    assert 5 < wet.sum() < 40
+    above, shade = water.above_water(alpha, torch.zeros_like(alpha), lake)
+    assert torch.equal(above[~wet], alpha[~wet]) and shade[~wet].max() == 0
+    assert above[wet].sum() <= alpha[wet].sum() and (above[wet].flatten(1).sum(1) >= 0.7 * 200).all()
+    # The image stands below the line, upside down, about as large as what is left of the subject.
+    assert (shade[wet] * above[wet]).max() == 0
+    assert (shade[wet].flatten(1).sum(1) > 0.5 * above[wet].flatten(1).sum(1)).all()
+    picture = alpha[:, None].expand(-1, 3, -1, -1)
+    shown = water.flooded(picture, lake)
+    assert torch.equal(shown[~wet], picture[~wet])
+    assert (shown[wet][:, 0] - above[wet]).flatten(1).sum(1).min() > 20
+
+
+def test_lenses_bend_a_third_of_the_photos_and_leave_the_middle_of_their_sides():
+    torch = pytest.importorskip("torch")
+    from synth.lens import bent
+
+    torch.manual_seed(4)
+    grid = bent(300, 33, "cpu")
+    straight = (torch.arange(33) + 0.5) * (2 / 33) - 1
+    off = (grid[..., 0] - straight).abs().amax((1, 2))
+    assert 60 < (off > 1e-6).sum() < 140
+    # At the middle of a side r is 1 but for half a pixel.
+    assert (grid[:, 16, 0, 0] - straight[0]).abs().max() < 0.12 * 0.07
+    assert off.max() < 0.12 * 1.02 * 1.01
+
+
+def test_the_closer_picture_and_the_cut_out_mask_show_the_same():
+    torch = pytest.importorskip("torch")
+    from synth.batches import make_pool, seen_by, staged
+    from synth.cameras import magnified
+    from synth.details import cut_out
+
+    torch.manual_seed(1)
+    stage = staged(make_pool(0, 32, 2, "cpu", textures=4), torch.randint(32, (4,)), 128)
+    _, whole, _, _ = seen_by(stage, stage.cameras, 128)
+    box = torch.tensor([[20.0, 30, 110, 100], [0, 0, 128, 128], [40, 10, 90, 120], [10, 50, 120, 120]])
+    _, closer, _, _ = seen_by(stage, magnified(stage.cameras, box, 128, 160), 160)
+    cut = cut_out(whole[:, None], box, 128, 160)[:, 0]
+    # The same edges, but for the pixels of the coarser one.
+    assert ((cut > 0.5) != (closer > 0.5)).float().mean() < 0.02
+    assert (closer > 0.5).float().mean() > 0.05
+
+
+def test_patches_change_the_subject_or_what_is_around_it_and_nothing_else():
+    torch = pytest.importorskip("torch")
+    from synth.details import painted, patches
+
+    torch.manual_seed(2)
+    rgb = torch.rand(40, 3, 64, 64)
+    alpha = torch.zeros(40, 64, 64)
+    alpha[:, 10:50, 20:40] = 1
+    paint = patches(rgb, alpha)
+    changed = (painted(rgb, alpha, paint) - rgb).abs().amax(1) > 1e-3
+    on = changed[:, 10:50, 20:40].flatten(1).any(1)
+    around = (changed & (alpha == 0)).flatten(1).any(1)
+    assert not (on & around).any() and on.any() and around.any()
+    assert 5 < (on | around).sum() < 30
+    # What is painted keeps its light and shade.
+    ramp = torch.linspace(0.2, 0.6, 64).expand(1, 3, 64, 64)
+    whole = paint._replace(where=torch.ones(1, 1, 64, 64), on=torch.ones(1), colour=torch.full((1, 3, 1, 1), 0.4))
+    assert torch.allclose(painted(ramp, torch.ones(1, 64, 64), whole), ramp, atol=1e-4)
+
+
+def test_masks_grow_by_rows_and_columns_as_by_squares():
+    torch = pytest.importorskip("torch")
+    from synth.masks import grown
+
+    torch.manual_seed(9)
+    mask = torch.rand(2, 1, 40, 40)
+    assert torch.equal(grown(mask, 5), torch.nn.functional.max_pool2d(mask, 11, 1, 5))
+
+
+def boxed(centre, half, rotation=None, kind=layout.BOX):
+    from synth.kit import Primitive
+
+    rotation = np.eye(3) if rotation is None else rotation
+    return Primitive(kind, np.array(centre, float), np.array(half, float), (1, 1), (0, 0), rotation, None)
+
+
+def test_reshaped_objects_stay_symmetric_and_in_one_piece():
+    from synth.kit import ALONG_Y, turn
+    from synth.variation import Warp, reshaped
+
+    flip = np.diag([1.0, -1, 1])
+    for seed in range(20):
+        warp = Warp(np.array([-2.0, -1, 0]), np.array([2.0, 1, 3]), np.random.default_rng(seed))
+        low, high = boxed((0.4, 0.3, 0.5), (0.6, 0.2, 0.5)), boxed((0.4, 0.3, 1.6), (0.3, 0.2, 0.6))
+        spin = turn("z", 25) @ turn("x", 40)
+        bar, twin = boxed((1, 0.5, 1), (0.05, 0.05, 0.9), spin), boxed((1, -0.5, 1), (0.05, 0.05, 0.9), flip @ spin @ flip)
+        wheel = boxed((-1, 0.8, 0.4), (0.4, 0.4, 0.1), ALONG_Y, layout.CYL)
+        low, high, bar, twin, wheel = reshaped([low, high, bar, twin, wheel], warp)
+        # What stood on the other still does, and nothing lies askew that did not.
+        assert low.centre[2] + low.half[2] == pytest.approx(high.centre[2] - high.half[2])
+        assert np.allclose(low.rotation, np.eye(3)) and low.half.min() > 0
+        # Twins stay twins, and a bar ends where the warp takes its end.
+        assert np.allclose(flip @ bar.centre, twin.centre) and np.allclose(bar.half, twin.half)
+        assert np.allclose(flip @ bar.rotation @ flip, twin.rotation)
+        assert np.allclose(bar.centre + bar.rotation[:, 2] * bar.half[2], warp(np.array([1, 0.5, 1]) + 0.9 * spin[:, 2]), atol=0.03)
+        # Wheels stay round and on their ground.
+        assert wheel.half[0] == wheel.half[1]
+        assert wheel.centre[2] - wheel.half[1] == pytest.approx(warp([-1, 0.8, 0.0])[2], abs=0.08)
+
+
+def test_what_is_together_stands_on_one_ground_and_leaves_room_for_all():
+    from synth.extent import bounds
+    from synth.groups import group, largest
+    from synth.kit import Kit
+
+    for seed in range(40):
+        kit = Kit(np.random.default_rng(seed))
+        group(kit)
+        low, high = bounds(kit.primitives)
+        assert 2 <= len(kit.primitives) <= layout.PRIMS
+        assert abs(low[2]) < 1e-6 and (high > low).all()
+        kept = largest(kit.primitives, 3)
+        shortest = min(np.sort(p.half)[1:].sum() for p in kept)
+        left_out = [p for p in kit.primitives if not any(p is k for k in kept)]
+        assert len(kept) == min(3, len(kit.primitives))
+        assert all(np.sort(p.half)[1:].sum() <= shortest for p in left_out)
+
+
+def test_every_maker_makes_the_same_again_inside_the_unit_sphere():
+    """Of each maker five objects; none has so many primitives that its main parts would be cut off."""
+    from synth.kit import Kit
+    from synth.objects import MAKERS
+
+    for maker, _ in MAKERS:
+        for seed in range(5):
+            rows, count, ground, by = make_object(seed, maker)
+            assert by is maker and count >= 1 and ground < 0, maker.__name__
+            assert (np.linalg.norm(rows[:count, layout.CENTRE], axis=1) <= 1).all(), maker.__name__
+            assert rows.tobytes() == make_object(seed, maker)[0].tobytes(), maker.__name__
+            kit = Kit(np.random.default_rng(seed))
+            maker(kit)
+            assert len(kit.primitives) <= 1.25 * layout.PRIMS, maker.__name__
+
+
+def test_small_things_sit_on_what_carries_them():
+    from synth.kit import Kit
+    from synth.variation import adorned
+
+    counts = set()
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        host = boxed((0, 0, 1), (2, 1, 1))
+        primitives = adorned([host], np.array([-2.0, -1, 0]), np.array([2.0, 1, 2]), 5, rng, Kit(rng).material)
+        counts.add(len(primitives))
+        assert primitives[0] is host and len(primitives) <= 6
+        for extra in primitives[1:]:
+            # The nearest point of the host is no further off than the thing reaches.
+            off = np.maximum(np.abs(extra.centre - host.centre) - host.half, 0)
+            assert (off <= extra.half + 1e-9).all()
+    assert len(counts) > 3
