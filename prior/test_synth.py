@@ -76,6 +76,33 @@ def test_bounding_boxes_fit():
     assert np.abs(top + grounds).max() < 6 * unit
 
 
+@pytest.mark.parametrize("bevel", [0, 4.0])
+def test_what_leans_spans_what_rays_meet(bevel):
+    torch = pytest.importorskip("torch")
+    from synth.cameras import look_at, pack
+    from synth.environments import environments
+    from synth.extent import bounds
+    from synth.kit import Kit, turn
+    from synth.objects import row
+    from synth.raycast import cast
+
+    material = Kit(np.random.default_rng(0)).material()
+    leaning = boxed((0.1, 0, 0), (0.2, 0.15, 0.3))._replace(shift=(0.5, -0.2), taper=(0.6, 1), bevel=bevel, material=material)
+    made = [leaning, leaning._replace(rotation=turn("z", 70) @ turn("x", 40))]
+    prims = torch.from_numpy(np.stack([row(p, p.centre, p.rotation, 1)[None] for p in made])).float()
+    cameras = pack(*look_at(torch.tensor([[80.0, 0, 0], [80.0, 0, 0]])), torch.full((2,), 0.03), 320, subject_only=True)
+    surroundings = environments(2, torch.full((2,), -1e3), "cpu")
+    _, alpha, _, _ = cast(prims, torch.ones(2, dtype=torch.int32), torch.arange(2, dtype=torch.int32), cameras, surroundings, 320, 4)
+    unit = 80 * 2 * np.tan(0.015) / 320
+    for p, mask in zip(made, alpha, strict=True):
+        low, high = bounds([p])
+        rows, columns = torch.where(mask.amax(1) > 0)[0], torch.where(mask.amax(0) > 0)[0]
+        assert (160 - rows.max().item() - 1) * unit == pytest.approx(low[2], abs=3 * unit)
+        assert (160 - rows.min().item()) * unit == pytest.approx(high[2], abs=3 * unit)
+        assert (columns.min().item() - 160) * unit == pytest.approx(low[1], abs=3 * unit)
+        assert (columns.max().item() + 1 - 160) * unit == pytest.approx(high[1], abs=3 * unit)
+
+
 def test_enumerations_of_the_kernel_are_those_of_the_layout():
     kernel = enumerators((HERE / "synth" / "columns.cuh").read_text())
     for name in ("BOX BALL CYL TUBE PRISM LEAVES BARS RUNGS LATTICE GRID SPOKES OPEN_SKY LANDSCAPE WALL NOISE_ROOM "
@@ -187,6 +214,19 @@ def test_masks_grow_by_rows_and_columns_as_by_squares():
     torch.manual_seed(9)
     mask = torch.rand(2, 1, 40, 40)
     assert torch.equal(grown(mask, 5), torch.nn.functional.max_pool2d(mask, 11, 1, 5))
+
+
+def test_rough_masks_lose_openings_and_nothing_else():
+    torch = pytest.importorskip("torch")
+    from synth.masks import closed, without_openings
+
+    ring = torch.zeros(1, 1, 384, 384)
+    ring[..., 100:280, 120:260] = 1
+    ring[..., 180:196, 180:196] = 0
+    filled = without_openings(ring)
+    assert filled[..., 180:196, 180:196].min() > 0.99
+    assert filled[..., :90, :].max() == 0 and filled[..., 290:, :].max() == 0
+    assert (closed(ring, 4) == ring).all() and closed(ring, 8)[..., 188, 188] == 1
 
 
 def boxed(centre, half, rotation=None, kind=layout.BOX):

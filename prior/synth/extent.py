@@ -31,10 +31,9 @@ def outline(p):
         low, high = around.min(0), around.max(0)
         return [(p.rotation.T @ ((low + high) / 2), (high - low) / 2)]
     if p.kind == BOX:
-        lean = np.array([*p.shift, 0]) / 2
         wide = np.abs(p.rotation[:, 0]) * p.half[0], np.abs(p.rotation[:, 1]) * p.half[1]
         above = wide[0] * p.taper[0] + wide[1] * p.taper[1]
-        return [(np.array([0, 0, bottom]) - lean, wide[0] + wide[1]), (np.array([0, 0, top]) + lean, above)]
+        return [(np.array([0, 0, bottom]), wide[0] + wide[1]), (np.array([*p.shift, top]), above)]
     # A prism's corners lie outside the circle of its sides' middles.
     wide = np.hypot(axes[:, 0], axes[:, 1]) / (np.cos(np.pi / p.taper[1]) if p.kind == PRISM else 1)
     return [(np.array([0, 0, bottom]), wide), (np.array([0, 0, top]), wide * p.taper[0])]
@@ -44,5 +43,5 @@ def superellipsoid(p):
     """Points [n, 3] all over the superellipsoid in the box `p`, in its own frame."""
     on = DIRECTIONS / (np.abs(DIRECTIONS) ** p.bevel).sum(1, keepdims=True) ** (1 / p.bevel)
     k = 0.5 + 0.5 * on[:, 2]
-    across = [on[:, i] * p.half[i] * (1 + (p.taper[i] - 1) * k) + p.shift[i] * (k - 0.5) for i in range(2)]
+    across = [on[:, i] * p.half[i] * (1 + (p.taper[i] - 1) * k) + p.shift[i] * k for i in range(2)]
     return np.stack([*across, on[:, 2] * p.half[2]], 1)

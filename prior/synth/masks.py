@@ -50,10 +50,28 @@ def grown(mask, by):
     return F.max_pool2d(F.max_pool2d(mask, (1, 2 * by + 1), 1, (0, by)), (2 * by + 1, 1), 1, (by, 0))
 
 
+def shrunk(mask, by):
+    """The smallest of masks [n, 1, S, S] within a square of 2 `by` + 1 pixels."""
+    return -grown(-mask, by)
+
+
+def closed(mask, by):
+    """Masks [n, 1, S, S] without gaps up to 2 `by` pixels wide."""
+    return shrunk(grown(mask, by), by)
+
+
+def without_openings(mask):
+    """Masks [n, 1, S, S] whose openings, up to a random width of at most a fifth of the picture, are filled: a cab's windows, the room
+    between legs or branches."""
+    widest = mask.shape[-1] // 40
+    by = int(torch.randint(2, max(widest, 2) + 1, ()))
+    return F.interpolate(closed(F.max_pool2d(mask, 4), by), scale_factor=4, mode="bilinear")
+
+
 def worn(rough, alpha):
     """Rough masks [n, 1, S, S] with the faults that masks of real photos have: worse than those of generated ones.
 
-    Thin parts lost, gaps filled, the edge moved here and there, pieces of what stands beside the subject taken in, or parts
+    Thin parts lost, gaps and openings filled, the edge moved here and there, pieces of what stands beside the subject taken in, or parts
     of the subject (alpha [n, 1, S, S]) left out.
     """
     n, _, size, _ = rough.shape
@@ -65,12 +83,10 @@ def worn(rough, alpha):
     def field(cells):
         return F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
 
-    def shrunk(x, by):
-        return -grown(-x, by)
-
     few = size // 48
     rough = torch.where(chance(0.25), grown(shrunk(rough, few), few), rough)
-    rough = torch.where(chance(0.15), shrunk(grown(rough, few), few), rough)
+    rough = torch.where(chance(0.15), closed(rough, few), rough)
+    rough = torch.where(chance(0.2), torch.maximum(rough, 0.9 * without_openings(rough)), rough)
     around = F.avg_pool2d(grown(grown(rough, 12), 12), 9, 1, 4)
     near = (around - F.avg_pool2d(shrunk(rough, 12), 9, 1, 4)).clamp(0, 1)
     moved = (rough + 0.7 * field(12) * near).clamp(0, 1)

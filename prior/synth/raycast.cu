@@ -124,7 +124,7 @@ __device__ void round_edges(const float* q, const float* p, float* n) {
     rotate(q + ROTATION, p[0] - q[CENTRE], p[1] - q[CENTRE + 1], p[2] - q[CENTRE + 2], l);
     float k = .5f + .5f * l[2] / h[2], scale = rsqrtf(dot(n, n));
     float reach[3] = {h[0] * (1 + (q[TAPER] - 1) * k), h[1] * (1 + (q[TAPER + 1] - 1) * k), h[2]};
-    float middle[3] = {q[SHIFT] * (k - .5f), q[SHIFT + 1] * (k - .5f), 0};
+    float middle[3] = {q[SHIFT] * k, q[SHIFT + 1] * k, 0};
     for (int i = 0; i < 3; i++) {
         n[i] *= scale;
         float x = l[i] - middle[i], edge = reach[i] - fabsf(x);

@@ -62,7 +62,7 @@ __device__ float superellipsoid(const float* q, const float* l, float p, float* 
     float own[2], over[2];
     for (int i = 0; i < 2; i++) {
         over[i] = 1 / (h[i] * (1 + (q[TAPER + i] - 1) * k));
-        own[i] = (l[i] - q[SHIFT + i] * (k - .5f)) * over[i];
+        own[i] = (l[i] - q[SHIFT + i] * k) * over[i];
         sum += powf(fabsf(own[i]) + 1e-9f, p);
     }
     sum += powf(fabsf(up) + 1e-9f, p);
