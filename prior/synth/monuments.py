@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from .people import person_body
 from .kit import around, turn
 from .layout import BALL, BARS, BOX, CYL, GRID, LATTICE, PRISM, TUBE
 from .materials import BRICKS, PLANKS, RIBS
+from .people import person_body
 from .structures import roof_material, storey, wall_material
 
 

@@ -6,48 +6,81 @@ from typing import NamedTuple
 import numpy as np
 
 from .aircraft import jet, rocket, rotorcraft
+from .airfields import airfield
 from .airships import airborne
 from .armour import gunship, tracked
 from .arms import hand_tool
+from .beasts import beast
 from .buildings import house, mast, store, tower
+from .carried import carried
 from .characters import character, rider
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
+from .crews import crew
+from .desk_things import desk_thing
+from .dressed import people_dressed
+from .dwellings import dwelling
 from .extent import bounds
 from .fare import fare
 from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
+from .flyers import fixed_wing, hovering
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
+from .furnishings import furnishing
+from .gardens import garden
+from .greenery import tree
 from .groups import group
+from .heavy import heavy
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
+from .installations import installation
 from .kit import Kit, turn
+from .kitchenware import kitchenware
+from .landmarks import monumental
+from .launchers import launcher
 from .layout import BALL, BOX, FLOATS, PRIMS, SOLID, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
 from .motorcycles import motorcycle
+from .munitions import munition
 from .open_cars import open_car
+from .patrol import patrol
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
+from .playgrounds import playground
+from .portraits import portrait
+from .railcraft import railcraft
+from .roadcraft import modern_car
 from .rooms import appliance, large_furniture
+from .sculptures import sculpture
+from .seacraft import vessel_at_sea
+from .sensors import sensor_truck
 from .service import service_lorry
+from .sporty import sporty
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
+from .town import town_building
+from .toys import toy
+from .two_wheelers import two_wheeler
+from .upright_animals import upright_animal
 from .variation import Warp, adorned, reshaped
 from .vehicles import bus, car, tank, truck
+from .vintage import vintage
 from .wheeled import carrier, covered_lorry, offroad, van
 from .wild import crawler, sprout
 from .works import barrier, works
+from .workshop import machine
+from .worn import worn
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
-    (car, 9),
+    (car, 6),
     (round_car, 16),
     (truck, 9),
     (bus, 5),
-    (motorcycle, 6),
+    (motorcycle, 5),
     (cycle, 6),
-    (offroad, 14),
+    (offroad, 12),
     (open_car, 9),
     (van, 9),
     (covered_lorry, 8),
@@ -58,7 +91,7 @@ MAKERS = [
     (forklift, 6),
     (digger, 6),
     (tractor, 3),
-    (train, 3),
+    (train, 2),
     (plane, 5),
     (jet, 12),
     (helicopter, 6),
@@ -102,12 +135,12 @@ MAKERS = [
     (plant, 2),
     (leafy, 4),
     (broadleaf, 5),
-    (figure, 2),
-    (person, 9),
+    (figure, 1),
+    (person, 7),
     (bust, 3),
     (animal_bust, 6),
     (soft_toy, 11),
-    (quadruped, 9),
+    (quadruped, 5),
     (bird, 4),
     (ware, 3),
     (vessel, 6),
@@ -138,19 +171,55 @@ MAKERS = [
     (rider, 5),
     (appliance, 7),
     (large_furniture, 7),
+    (launcher, 9),
+    (sensor_truck, 7),
+    (munition, 6),
+    (installation, 7),
+    (airfield, 7),
+    (monumental, 7),
+    (vessel_at_sea, 10),
+    (fixed_wing, 11),
+    (hovering, 9),
+    (beast, 16),
+    (upright_animal, 12),
+    (tree, 8),
+    (garden, 6),
+    (crew, 10),
+    (worn, 5),
+    (carried, 8),
+    (kitchenware, 7),
+    (desk_thing, 8),
+    (toy, 11),
+    (sporty, 10),
+    (vintage, 8),
+    (modern_car, 12),
+    (heavy, 10),
+    (railcraft, 9),
+    (dwelling, 11),
+    (town_building, 9),
+    (patrol, 11),
+    (two_wheeler, 9),
+    (portrait, 6),
+    (sculpture, 5),
+    (people_dressed, 9),
+    (furnishing, 9),
+    (playground, 7),
+    (machine, 7),
     (kitbash, 5),
     (blob, 9),
 ]
 
 
 # What often stands beside, behind or before other things.
-COMPANIONS = (leafy, broadleaf, plant, street_furniture, lattice_mast, fence, person, gabled_house, eaved_house, block, round_car, seat)
+COMPANIONS = (leafy, broadleaf, tree, plant, street_furniture, lattice_mast, fence, person, gabled_house, eaved_house, block, round_car, seat)
 
 # What has thin or pierced parts.
 SLENDER = {
     *(motorcycle, cycle, open_car, forklift, digger, tractor, gun, plane, light_plane, jet, helicopter, rotorcraft, ship, trawler, crane, scaffold),
     *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge, tracked, gunship, works, crawler, sprout, hand_tool),
-    *(airborne, character, rider, appliance),
+    *(airborne, character, rider, appliance, launcher, sensor_truck, munition, installation, airfield, monumental),
+    *(vessel_at_sea, fixed_wing, hovering, beast, upright_animal, tree, garden, crew, carried, desk_thing),
+    *(sporty, vintage, heavy, railcraft, patrol, two_wheeler, sculpture, people_dressed, furnishing, playground, machine),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
 }
@@ -158,6 +227,7 @@ SLENDER = {
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
     *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier, large_furniture),
+    *(launcher, sensor_truck, installation, airfield, monumental, railcraft, dwelling, town_building, patrol, furnishing, playground, machine),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
@@ -165,7 +235,10 @@ EXPONENTS = (3.2, 14.0)
 
 
 # What nothing is fixed to.
-ALIVE = {character, rider, animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant}
+ALIVE = {
+    *(character, rider, animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant),
+    *(beast, upright_animal, tree, garden, crew, toy, people_dressed, portrait),
+}
 # So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
 RESHAPED = 0.4
 ADORNED = 0.25
