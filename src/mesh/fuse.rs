@@ -283,9 +283,10 @@ impl<'a> Fused<'a> {
         if hi.x < -ROUNDING || hi.y < -ROUNDING || lo.x > width + ROUNDING || lo.y > height + ROUNDING {
             return Whole::Nothing;
         }
-        if lo.x < ROUNDING || lo.y < ROUNDING || hi.x > width - ROUNDING || hi.y > height - ROUNDING {
+        if lo.x < ROUNDING || lo.y < ROUNDING || hi.x + ROUNDING >= width || hi.y + ROUNDING >= height {
             return Whole::Mixed;
         }
+        // With what was asked above, of the same sums, none lies beyond the picture.
         let squares = |lo: f32, hi: f32| (lo - ROUNDING) as usize / SQUARE..=(hi + ROUNDING) as usize / SQUARE;
         let (mut front, mut behind) = (true, true);
         for y in squares(lo.y, hi.y) {
@@ -359,6 +360,22 @@ mod tests {
             assert!((inside - truth).abs() < 0.6 * voxel, "{inside} for {truth}, voxel {voxel}");
         }
         assert!(volume.sample(Vec3::ZERO) < 0.0);
+    }
+
+    /// 255.99 is no further out than 256 - 0.01, and with 0.01 more it is 256.
+    #[test]
+    fn a_sample_at_the_last_hundredth_of_a_picture_is_in_no_square_beyond_it() {
+        let grid = fused(&scenes::sphere(0.7));
+        let mut camera = scenes::depth_cameras(1, 256)[0].clone();
+        camera.rotation = glam::Mat3::IDENTITY;
+        camera.translation = Vec3::Z - grid.position(1, 1, 1);
+        for (cx, cy) in [(100.0, 255.99), (255.99, 100.0), (255.99, 255.99), (0.01, 0.01)] {
+            (camera.cx, camera.cy) = (cx, cy);
+            let map = DepthMap::new(&scenes::empty().render(&camera));
+            let view = Fused::new(&map, &grid, 0.01, 0.0);
+            let near_the_rim = matches!(view.of_block(&grid, &[1..2, 1..2, 1..2]), Whole::Mixed | Whole::Same(_));
+            assert!(near_the_rim, "{cx}, {cy}");
+        }
     }
 
     #[test]
