@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.12",
-    sha256: "cfc79f2f2cecf108915cf8d11843e55067dd7234f38e37a15b041d345511e2e6",
+    version: "0.13",
+    sha256: "c2dedf05fb5c85a80f7c24a3a31e260ea42a4a9931defc2d65253465580e2f1d",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
