@@ -366,7 +366,7 @@ mod tests {
     #[test]
     fn a_sample_at_the_last_hundredth_of_a_picture_is_in_no_square_beyond_it() {
         let grid = fused(&scenes::sphere(0.7));
-        let mut camera = scenes::depth_cameras(1, 256)[0].clone();
+        let mut camera = scenes::depth_cameras(1, 256)[0];
         camera.rotation = glam::Mat3::IDENTITY;
         camera.translation = Vec3::Z - grid.position(1, 1, 1);
         for (cx, cy) in [(100.0, 255.99), (255.99, 100.0), (255.99, 255.99), (0.01, 0.01)] {
