@@ -4,11 +4,12 @@
 import numpy as np
 
 from .belongings import black, brass, ribbon, steel, timber
-from .crews import HIP, rifle
+from .bodies import HIP
 from .figures import ARMS, bar, dress_up, face_on, figure, hair_on, hat_on, plain
 from .kit import ALONG_X, ALONG_Y, around, turn
 from .layout import BALL, BOX, CYL
 from .materials import CAMOUFLAGE, CHECKER, PLAIN, STRIPES, paint
+from .soldiers import rifle
 
 
 def coat(kit, f, material, low, wide=0.2, open_front=None):

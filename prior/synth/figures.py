@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from .belongings import black, brass
-from .crews import FORE, HIP, SHIN, THIGH, UPPER, bent
+from .bodies import FORE, HIP, SHIN, THIGH, UPPER, bent
 from .kit import ALONG_Y, around, towards, turn
 from .layout import BALL, BOX, CYL
 from .materials import CHECKER, CLOUDY, DOTS, PLAIN, SPECKLES, STREAKS, STRIPES, paint

@@ -23,7 +23,7 @@ from .dwellings import dwelling
 from .extent import bounds
 from .fare import fare
 from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
-from .flyers import fixed_wing, hovering
+from .flyers import fixed_wing
 from .foliage import broadleaf, leafy
 from .frames import crane, fence, lattice_mast, scaffold, street_furniture
 from .furnishings import furnishing
@@ -33,6 +33,7 @@ from .groups import group
 from .heavy import heavy
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
+from .hovering import hovering
 from .installations import installation
 from .kit import Kit, turn
 from .kitchenware import kitchenware

@@ -4,7 +4,7 @@
 import numpy as np
 
 from .belongings import brass, cloth, steel, timber
-from .crews import bent
+from .bodies import bent
 from .figures import bar, carved, features, hair_on, hat_on, head_frame, plain
 from .kit import ALONG_X, towards, turn
 from .layout import BALL, BOX, CYL, TUBE

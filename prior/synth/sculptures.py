@@ -4,7 +4,7 @@
 import numpy as np
 
 from .belongings import arc, brass, steel, timber
-from .crews import FORE, UPPER, bent
+from .bodies import FORE, UPPER, bent
 from .figures import bar, carved, dress_up, face_on, features, figure, hair_on, hat_on, head_frame, plain, skirt
 from .kit import ALONG_X, around, turn
 from .layout import BALL, BOX, CYL, PRISM

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from .crews import Outfit, somebody
+from .bodies import Outfit, somebody
 from .kit import ALONG_X, ALONG_Y, turn
 from .launchers import drab
 from .layout import BALL, BARS, BOX, CYL, GRID, SPOKES
