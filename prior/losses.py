@@ -309,12 +309,13 @@ def silhouette_losses(alpha, truth):
 def perceived_loss(perception, answer, truth, batch):
     """How unlike views [n, V, 4, S, S] look in the mean, by the subjects' importance.
 
-    Of each subject the second view, near the photo's, and the fourth, from anywhere; not of the first `dressed` ones, whose crops
-    wear textures that the true views lack.
+    Of every other subject the second view, near the photo's, of the others the fourth, from anywhere; not of the first `dressed`
+    ones, whose crops wear textures that the true views lack. Two views a subject take a third longer a step.
     """
-    answer, truth, weight = (t[batch.dressed :] for t in (answer, truth, importance(batch)[:, 0, 0, 0]))
-    unlike = perception(answer[:, 1::2].flatten(0, 1), truth[:, 1::2].flatten(0, 1))
-    return (unlike.reshape(len(answer), -1) * weight).mean()
+    answer, truth, weight = (t[batch.dressed :] for t in (answer, truth, importance(batch)[:, 0, 0, 0, 0]))
+    each = torch.arange(len(answer), device=answer.device)
+    view = 1 + 2 * (each % 2)
+    return (perception(answer[each, view], truth[each, view]) * weight).mean()
 
 
 def loosened(error, dressed):

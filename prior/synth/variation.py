@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .extent import bounds
 from .kit import ALONG_X, ALONG_Y, Primitive, mirrored, turn
 from .layout import BALL, BOX, CYL, SOLID
 
@@ -37,10 +38,11 @@ def reshaped(primitives, warp):
 
 
 def moved(p, warp):
-    """The primitive where `warp` takes it: its longest axis from end to end, the others stretched as its box is."""
-    reach = np.maximum(np.abs(p.rotation) @ p.half, 1e-6)
-    low, high = warp(p.centre - reach), warp(p.centre + reach)
-    stretch = (high - low) / (2 * reach)
+    """The primitive where `warp` takes it: its longest axis from end to end, the others stretched as what it spans is."""
+    begin, end = bounds([p])
+    end = np.maximum(end, begin + 1e-6)
+    low, high = warp(begin), warp(end)
+    stretch = (high - low) / (end - begin)
     along = np.linalg.norm(stretch[:, None] * p.rotation, axis=0)
     longest = int(p.half.argmax())
     axis = p.rotation[:, longest] * p.half[longest]
@@ -53,7 +55,7 @@ def moved(p, warp):
     elif p.kind != BALL:
         rotation = turned(axis, after) @ p.rotation
     shift = (p.shift[0] * half[0] / p.half[0], p.shift[1] * half[1] / p.half[1])
-    return p._replace(centre=(low + high) / 2, half=half, shift=shift, rotation=rotation)
+    return p._replace(centre=low + (p.centre - begin) * stretch, half=half, shift=shift, rotation=rotation)
 
 
 def turned(before, after):
