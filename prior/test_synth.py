@@ -237,6 +237,7 @@ def boxed(centre, half, rotation=None, kind=layout.BOX):
 
 
 def test_reshaped_objects_stay_symmetric_and_in_one_piece():
+    from synth.extent import bounds
     from synth.kit import ALONG_Y, turn
     from synth.variation import Warp, reshaped
 
@@ -255,6 +256,11 @@ def test_reshaped_objects_stay_symmetric_and_in_one_piece():
         assert np.allclose(flip @ bar.centre, twin.centre) and np.allclose(bar.half, twin.half)
         assert np.allclose(flip @ bar.rotation @ flip, twin.rotation)
         assert np.allclose(bar.centre + bar.rotation[:, 2] * bar.half[2], warp(np.array([1, 0.5, 1]) + 0.9 * spin[:, 2]), atol=0.03)
+        # What leans spans what the warp makes of its span.
+        leaning = boxed((0.3, 0.2, 0.6), (0.2, 0.3, 0.5))._replace(shift=(0.5, 0), taper=(0.5, 0.8))
+        begin, end = bounds(reshaped([leaning], warp))
+        before = bounds([leaning])
+        assert np.allclose(begin, warp(before[0])) and np.allclose(end, warp(before[1]))
         # Wheels stay round and on their ground.
         assert wheel.half[0] == wheel.half[1]
         assert wheel.centre[2] - wheel.half[1] == pytest.approx(warp([-1, 0.8, 0.0])[2], abs=0.08)

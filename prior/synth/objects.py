@@ -22,6 +22,7 @@ from .dressed import people_dressed
 from .dwellings import dwelling
 from .extent import bounds
 from .fare import fare
+from .fauna import four_legged, other_animal
 from .field import biplane, dish, hut, trailer, truss_bridge, unmanned, waggon, warship
 from .flyers import fixed_wing
 from .foliage import broadleaf, leafy
@@ -31,6 +32,7 @@ from .gardens import garden
 from .greenery import tree
 from .groups import group
 from .heavy import heavy
+from .helicopters import helicopter_type
 from .homes import eaved_house, open_shed, play_tower
 from .household import blob, clothing, gadget, instrument, seat, turned, vessel
 from .hovering import hovering
@@ -42,14 +44,17 @@ from .launchers import launcher
 from .layout import BALL, BOX, FLOATS, PRIMS, SOLID, SPOKES
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
+from .motorbikes import light_vehicle, motorbike
 from .motorcycles import motorcycle
 from .munitions import munition
+from .open_buildings import open_building, public_building
 from .open_cars import open_car
 from .patrol import patrol
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .playgrounds import playground
 from .portraits import portrait
+from .poses import posed_person, soldier_kit
 from .railcraft import railcraft
 from .roadcraft import modern_car
 from .rooms import appliance, large_furniture
@@ -58,6 +63,7 @@ from .seacraft import vessel_at_sea
 from .sensors import sensor_truck
 from .service import service_lorry
 from .sporty import sporty
+from .strongpoints import ruin, strongpoint
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .town import town_building
@@ -67,6 +73,7 @@ from .upright_animals import upright_animal
 from .variation import Warp, adorned, reshaped
 from .vehicles import bus, car, tank, truck
 from .vintage import vintage
+from .warplanes import warplane
 from .wheeled import carrier, covered_lorry, offroad, van
 from .wild import crawler, sprout
 from .works import barrier, works
@@ -206,6 +213,18 @@ MAKERS = [
     (furnishing, 9),
     (playground, 7),
     (machine, 7),
+    (warplane, 16),
+    (helicopter_type, 14),
+    (motorbike, 12),
+    (light_vehicle, 9),
+    (four_legged, 14),
+    (other_animal, 11),
+    (posed_person, 12),
+    (soldier_kit, 12),
+    (strongpoint, 11),
+    (ruin, 9),
+    (open_building, 14),
+    (public_building, 14),
     (kitbash, 5),
     (blob, 9),
 ]
@@ -220,6 +239,7 @@ SLENDER = {
     *(warship, biplane, unmanned, trailer, waggon, dish, truss_bridge, tracked, gunship, works, crawler, sprout, hand_tool),
     *(airborne, character, rider, appliance, launcher, sensor_truck, munition, installation, airfield, monumental),
     *(vessel_at_sea, fixed_wing, hovering, beast, upright_animal, tree, garden, crew, carried, desk_thing),
+    *(warplane, helicopter_type, motorbike, light_vehicle, four_legged, other_animal, posed_person, soldier_kit, strongpoint, ruin, open_building),
     *(sporty, vintage, heavy, railcraft, patrol, two_wheeler, sculpture, people_dressed, furnishing, playground, machine),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument),
@@ -228,6 +248,7 @@ SLENDER = {
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),
     *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier, large_furniture),
+    *(helicopter_type, strongpoint, ruin, open_building, public_building),
     *(launcher, sensor_truck, installation, airfield, monumental, railcraft, dwelling, town_building, patrol, furnishing, playground, machine),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
@@ -238,6 +259,7 @@ EXPONENTS = (3.2, 14.0)
 # What nothing is fixed to.
 ALIVE = {
     *(character, rider, animal_bust, bird, bust, quadruped, soft_toy, figure, person, group, crawler, sprout, fare, leafy, broadleaf, plant),
+    *(four_legged, other_animal, posed_person, soldier_kit),
     *(beast, upright_animal, tree, garden, crew, toy, people_dressed, portrait),
 }
 # So many objects have proportions that no maker draws; and so many, beside what is alive, have small things on them.
