@@ -42,32 +42,36 @@ from .kitchenware import kitchenware
 from .landmarks import monumental
 from .launchers import launcher
 from .layout import BALL, BOX, FLOATS, PRIMS, SOLID, SPOKES
+from .light_vehicles import light_vehicle
 from .machines import boat, cycle, digger, forklift, gun, plant_hall, round_car, tractor, train
 from .monuments import fountain, statue, tank_tower, windmill
-from .motorbikes import light_vehicle, motorbike
+from .motorbikes import motorbike
 from .motorcycles import motorcycle
 from .munitions import munition
-from .open_buildings import open_building, public_building
+from .open_buildings import open_building
 from .open_cars import open_car
 from .patrol import patrol
 from .people import person
 from .plain import articulated, container, light_plane, pickup, plain_house
 from .playgrounds import playground
 from .portraits import portrait
-from .poses import posed_person, soldier_kit
+from .poses import posed_person
+from .public_buildings import public_building
 from .railcraft import railcraft
 from .roadcraft import modern_car
 from .rooms import appliance, large_furniture
+from .ruins import ruin
 from .sculptures import sculpture
 from .seacraft import vessel_at_sea
 from .sensors import sensor_truck
 from .service import service_lorry
 from .sporty import sporty
-from .strongpoints import ruin, strongpoint
+from .strongpoints import strongpoint
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
 from .things import figure, furniture, kitbash, plant, ware
 from .town import town_building
 from .toys import toy
+from .troops import soldier_kit
 from .two_wheelers import two_wheeler
 from .upright_animals import upright_animal
 from .variation import Warp, adorned, reshaped
