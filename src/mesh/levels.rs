@@ -270,12 +270,14 @@ fn fit(
             && !simplifier.drop_smallest_part()
         {
             // Too many holes and handles for so few vertices.
-            let Some(half) = plainer(coarser.as_ref().unwrap_or(solid)) else {
+            let half = plainer(coarser.as_ref().unwrap_or(solid)).map(|half| (closed_surface(&half), half));
+            // What is one layer thick may be gone.
+            let Some((surface, half)) = half.filter(|(surface, _)| surface.triangles.len() >= 4) else {
                 return Err(Error::usage("mesh")
                     .expected(format!("a shape that {cap} vertices can hold"))
                     .found(format!("{} vertices that cannot be fewer", simplifier.vertices_left())));
             };
-            *simplifier = Simplifier::new(&closed_surface(&half));
+            *simplifier = Simplifier::new(&surface);
             *coarser = Some(half);
         }
         if simplifier.vertices_left() > target.max(4) {

@@ -186,11 +186,11 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
     let area: f32 =
         charts.iter().flat_map(|c| &c.corners).map(|t| (t[1] - t[0]).perp_dot(t[2] - t[0]).abs() / 2.0).sum();
     let whole = (size as f32).powi(2) / area.max(1e-12);
-    // Fill shares: the largest that fits, to within two hundredths.
+    // Fill shares: the largest that fits, to within two hundredths; a long strip alone in its texture may need a small one.
     let (mut fits, mut fails) = (None, 0.97f32);
     let mut low = 0.0f32;
     let mut fill = 0.68f32;
-    for _ in 0..12 {
+    for round in 1..=40 {
         let scale = (whole * fill).sqrt();
         match place_all(charts, size, cell, scale) {
             Some(places) => {
@@ -199,7 +199,7 @@ pub fn pack(charts: &[Chart], size: u32) -> Result<Atlas> {
             }
             None => fails = fill,
         }
-        if fits.is_some() && fails - low < 0.02 {
+        if fits.is_some() && (fails - low < 0.02 || round >= 12) {
             break;
         }
         fill = if fits.is_some() { (low + fails) / 2.0 } else { fails * 0.7 };
@@ -419,6 +419,15 @@ mod tests {
                 assert!(size < 512 || area >= least, "{area} of {size}² for {} charts", charts.len());
             }
         }
+    }
+
+    #[test]
+    fn a_strip_alone_in_its_texture_fits() {
+        let (far, side) = (Vec2::new(200.0, 0.0), Vec2::Y);
+        let corners = vec![[Vec2::ZERO, far, side], [far, far + side, side]];
+        let atlas = pack(&[Chart { faces: vec![0, 1], corners, size: far + side }], 64).unwrap();
+        assert!(atlas.uv[0].iter().flatten().all(|p| p.cmpge(Vec2::ZERO).all() && p.cmple(Vec2::ONE).all()));
+        assert!(atlas.scale > 0.2, "{} texels a unit of 200, of 64", atlas.scale);
     }
 
     #[test]
