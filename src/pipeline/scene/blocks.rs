@@ -365,7 +365,7 @@ impl Run<'_> {
         let mut views = Vec::with_capacity(all.len());
         for some in all.chunks(PORTION) {
             let targets = self.pictures(some, self.options.longest_side)?.targets;
-            let cameras: Vec<Camera> = some.iter().map(|i| self.cameras[*i]).collect();
+            let cameras: Vec<Camera> = targets.iter().map(|t| t.camera).collect();
             let exposures = vec![NONE; some.len()];
             let mut measured = score::views(targets, &drawers, &cameras, &exposures, behind, lpips, self.progress)?;
             for v in measured.iter_mut().filter(|v| any_held_out && v.role == Role::Trained) {

@@ -39,8 +39,12 @@ impl Pictures {
 
 /// The camera of a photo made no longer than `longest` pixels a side, in the unit frame.
 pub fn camera_of(posed: &Posed, to_unit: &Similarity, longest: u32) -> Camera {
+    sized(posed, to_unit, made_smaller(posed.camera.width, posed.camera.height, longest))
+}
+
+/// The camera of a picture of `size` pixels of what the photo shows, in the unit frame.
+fn sized(posed: &Posed, to_unit: &Similarity, size: [u32; 2]) -> Camera {
     let (w, h) = (posed.camera.width, posed.camera.height);
-    let size = made_smaller(w, h, longest);
     let [fx, fy, cx, cy] = posed.camera.pinhole();
     let (gx, gy) = (f64::from(size[0]) / f64::from(w), f64::from(size[1]) / f64::from(h));
     let inside = [fx * gx, fy * gy, cx * gx, cy * gy];
@@ -131,7 +135,8 @@ fn one(
     let color = pixels.pixels().enumerate().map(|(i, p)| straight((p, of(i)))).collect();
     let cut_out = alpha.is_some();
     let target = Target {
-        camera: camera_of(posed, to_unit, longest),
+        // Of the photo's own size: photos may be smaller than their calibrated cameras.
+        camera: sized(posed, to_unit, size),
         color,
         alpha: alpha.unwrap_or_else(|| vec![1.0; (size[0] * size[1]) as usize]),
         weight: 1.0,

@@ -77,6 +77,26 @@ fn against_truth(made: &Made, s: &Scene, fitted: bool) -> f64 {
 static SITE: LazyLock<Made> = LazyLock::new(|| made(&PLAIN));
 static BRIEF: LazyLock<Scene> = LazyLock::new(|| trained(&SITE, &brief(), false));
 
+/// As sets come whose photos were halved after their cameras were found.
+#[test]
+fn photos_smaller_than_their_cameras_are_trained_on_at_their_own_size() {
+    with_source(&SITE, false, |source| {
+        let half = |p: &Posed| -> Result<Photo> {
+            let photo = (source.open)(p)?;
+            let (w, h) = photo.pixels.dimensions();
+            Ok(Photo { pixels: image::imageops::thumbnail(&photo.pixels, w / 2, h / 2), ..photo })
+        };
+        let halved = Source { poses: source.poses, held_out: source.held_out, open: &half, mask: source.mask };
+        let options = Options { iterations: 60, sky: Sky::On, ..brief() };
+        let scene = fit(&halved, splat::Engine::Cpu, &options, None, &Silent).unwrap();
+        let held_out: Vec<&View> = scene.views.iter().filter(|v| v.role == Role::HeldOut).collect();
+        assert!(!held_out.is_empty() && held_out.iter().all(|v| v.truth.width == PLAIN.width as usize / 2));
+        let psnr = held_out.iter().map(|v| crate::bench::perception::psnr(&v.found.pixels, &v.truth.pixels));
+        let mean = psnr.sum::<f64>() / held_out.len() as f64;
+        assert!(mean > 15.0, "{mean} dB: the cameras see what the photos show");
+    });
+}
+
 #[test]
 fn a_place_is_learnt_from_photos_and_met_from_where_none_was_taken() {
     let s = &*BRIEF;
