@@ -38,7 +38,7 @@ pub fn inverse_depth(photo: &RgbImage, kind: DepthKind, graph: &dyn Graph, size:
     let input = graph.inputs().into_iter().next().ok_or_else(|| wrong("no input".into()))?;
     let fixed = |back: usize| {
         let shape = input.shape.as_ref()?;
-        shape.len().checked_sub(back).and_then(|i| shape[i])
+        shape.len().checked_sub(back).and_then(|i| shape[i]).filter(|n| *n > 0)
     };
     let (w, h) = input_size(photo.dimensions(), fixed(1), fixed(2));
     let whole = Rect { x: 0.0, y: 0.0, width: photo.width() as f32, height: photo.height() as f32 };

@@ -129,7 +129,7 @@ impl Decoder {
         let (&[.., count, h, w], n) = (masks.shape.as_slice(), scores.data.len()) else {
             return Err(Error::environment("the mask network's decoder").expected("planes of logits"));
         };
-        if count != n || n == 0 || masks.data.len() != n * h * w || !masks.data.iter().all(|v| v.is_finite()) {
+        if count != n || n * h * w == 0 || masks.data.len() != n * h * w || !masks.data.iter().all(|v| v.is_finite()) {
             return Err(Error::environment("the mask network's decoder")
                 .expected("a finite plane of logits a score")
                 .found(format!("masks {:?}, scores {:?}", masks.shape, scores.shape)));
