@@ -143,8 +143,9 @@ fn the_provenance_of_the_texture_lies_beside_the_model() {
     let number = |name: &str| params[name].as_str().unwrap().parse::<f64>().unwrap();
     assert!((0.3..1.0).contains(&number("symmetry_extent_across_over_along")), "{params}");
     assert!((0.0..0.01).contains(&number("symmetry_far_from_its_image")), "{params}");
-    // The far side is fog, whose surface lies too deep: the plane goes away from the camera, by centimetres.
-    assert!((-0.15..-0.005).contains(&number("symmetry_moved_m")), "{params}");
+    // The far side's surface lies too deep: the plane goes away from the camera, by centimetres where that side is fog
+    // (SplatNet 0.9), by less the firmer it is (0.14: 0.4 cm).
+    assert!((-0.15..-0.001).contains(&number("symmetry_moved_m")), "{params}");
 }
 
 /// A network may say how far its colours are off; 0.7 as it first came did not.

@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.13",
-    sha256: "c2dedf05fb5c85a80f7c24a3a31e260ea42a4a9931defc2d65253465580e2f1d",
+    version: "0.14",
+    sha256: "429337927ec002f8826b66feed464deaf1dce209685cddce187d96de3f1b3797",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
