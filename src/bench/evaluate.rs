@@ -258,7 +258,8 @@ fn flights(scene: &Scene, result: &Submission, unit: &Unit, place: &Similarity, 
         let camera = |v: &&TrueView| {
             let c = &v.camera;
             let larger = c.width.max(c.height);
-            place.camera(&c.resized(c.width * SIZE / larger, c.height * SIZE / larger))
+            let [width, height] = [c.width, c.height].map(|side| (side * SIZE / larger).max(1));
+            place.camera(&c.resized(width, height))
         };
         (all.iter().step_by(step).map(camera).collect(), Vec::new())
     };
@@ -304,7 +305,7 @@ fn flights(scene: &Scene, result: &Submission, unit: &Unit, place: &Similarity, 
 /// TC of frames that the system drew itself.
 fn coherent(frames: &[Picture], subject: &[Vec<bool>], result: &Submission, again: Option<f64>, out: &mut Evaluation) {
     let same_size = frames.windows(2).all(|f| (f[0].width, f[0].height) == (f[1].width, f[1].height));
-    let both = temporal::smoothness(frames, subject).zip(temporal::flicker(frames, subject)).filter(|_| same_size);
+    let both = temporal::smoothness(frames, subject).zip(temporal::flicker(frames, subject));
     out.set("smoothness_flicker", both.map(|(a, b)| vec![a, b]), "fewer than three frames of one size");
     // Two frames of one pose, as far apart in time as there are.
     let same = |a: &Camera, b: &Camera| {

@@ -4,8 +4,11 @@ use super::Picture;
 use super::perception::psnr;
 
 /// Mean over pixels and channels of |I(t−1) − 2 I(t) + I(t+1)|, share of full scale, where `subject` is true in any of the
-/// three; None for fewer than three frames.
+/// three; None for fewer than three frames and for frames of several sizes.
 pub fn smoothness(frames: &[Picture], subject: &[Vec<bool>]) -> Option<f64> {
+    if frames.windows(2).any(|f| (f[0].width, f[0].height) != (f[1].width, f[1].height)) {
+        return None;
+    }
     let (mut sum, mut n) = (0.0, 0.0);
     for (f, s) in frames.windows(3).zip(subject.windows(3)) {
         for i in (0..f[0].pixels.len()).filter(|i| s.iter().any(|s| s[*i])) {
@@ -51,6 +54,9 @@ mod tests {
         assert!((smoothness(&jumping, &subject).unwrap() - 0.2).abs() < 1e-6);
         assert!((flicker(&jumping, &subject).unwrap() - 0.2).abs() < 1e-6);
         assert_eq!(smoothness(&even[..2], &subject[..2]), None);
+        let mut smaller = even.clone();
+        smaller[1] = Picture::new(2, 2, vec![[0.1; 3]; 4]);
+        assert_eq!(smoothness(&smaller, &subject), None);
         assert_eq!(flicker(&even, &vec![vec![false; 16]; 6]), None);
         assert!((loop_closure(&jumping[0], &jumping[1]) - 20.0).abs() < 1e-4);
     }

@@ -95,7 +95,10 @@ pub fn glb(bytes: &[u8]) -> Option<Surface> {
         .iter()
         .filter_map(|n| Some((n.as_u64()? as usize, Mat4::IDENTITY)))
         .collect();
+    // Nodes are a tree: none is met twice.
+    let mut left = json["nodes"].as_array()?.len();
     while let Some((index, above)) = stack.pop() {
+        left = left.checked_sub(1)?;
         let node = &json["nodes"][index];
         let place = above * local(node);
         for child in node["children"].as_array().into_iter().flatten() {
@@ -106,14 +109,17 @@ pub fn glb(bytes: &[u8]) -> Option<Surface> {
             if primitive["mode"].as_u64().unwrap_or(4) != 4 {
                 continue;
             }
-            let first = surface.positions.len() as u32;
+            let first = u32::try_from(surface.positions.len()).ok()?;
             let positions = numbers(&json, binary, primitive["attributes"]["POSITION"].as_u64()?)?;
             surface.positions.extend(positions.chunks_exact(3).map(|p| {
                 let q = place.transform_point3(Vec3::new(p[0] as f32, p[1] as f32, p[2] as f32));
                 Vec3::new(q.x, -q.z, q.y)
             }));
             let indices: Vec<u32> = match primitive["indices"].as_u64() {
-                Some(accessor) => numbers(&json, binary, accessor)?.iter().map(|v| first + *v as u32).collect(),
+                Some(accessor) => {
+                    let indices = numbers(&json, binary, accessor)?;
+                    indices.iter().map(|v| first.checked_add(*v as u32)).collect::<Option<_>>()?
+                }
                 None => (first..surface.positions.len() as u32).collect(),
             };
             surface.triangles.extend(indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]));
@@ -156,12 +162,15 @@ fn numbers(json: &Value, binary: &[u8], accessor: u64) -> Option<Vec<f64>> {
     };
     let offset = |v: &Value| v["byteOffset"].as_u64().unwrap_or(0) as usize;
     let stride = view["byteStride"].as_u64().map_or(size * parts, |s| s as usize);
-    let start = offset(view) + offset(accessor);
+    if stride < size * parts {
+        return None;
+    }
+    let start = offset(view).checked_add(offset(accessor))?;
     let mut out = Vec::new();
     for i in 0..accessor["count"].as_u64()? as usize {
         for k in 0..parts {
-            let at = start + i * stride + k * size;
-            out.push(wide(binary.get(at..at + size)?));
+            let at = i.checked_mul(stride)?.checked_add(start)?.checked_add(k * size)?;
+            out.push(wide(binary.get(at..)?.get(..size)?));
         }
     }
     Some(out)
@@ -181,5 +190,25 @@ mod tests {
         // The photo was taken from azimuth 35° of the model's own axes.
         assert!((truth.forward.length() - 1.0).abs() < 1e-6);
         assert!(glb(b"glTF").is_none() && glb(&[0; 64]).is_none());
+    }
+
+    /// One triangle; `node` and `view` are put into its node and its buffer view.
+    fn triangle(node: &str, view: &str, count: u64) -> Vec<u8> {
+        let json = format!(
+            r#"{{"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0{node}}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":{count}}}],"bufferViews":[{{"buffer":0{view}}}]}}"#
+        );
+        let corners = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+        let length = (json.len() as u32).to_le_bytes();
+        let binary: Vec<u8> = corners.iter().flat_map(|v| v.to_le_bytes()).collect();
+        [b"glTF\0\0\0\0\0\0\0\0", &length[..], b"JSON", json.as_bytes(), &[0; 8], &binary].concat()
+    }
+
+    #[test]
+    fn files_that_never_end_are_refused() {
+        assert_eq!(glb(&triangle("", "", 3)).unwrap().triangles, [[0, 1, 2]]);
+        assert!(glb(&triangle(r#","children":[0]"#, "", 3)).is_none());
+        assert!(glb(&triangle("", r#","byteStride":0"#, 1_000_000_000_000_000)).is_none());
+        assert!(glb(&triangle("", r#","byteOffset":18446744073709551615"#, 3)).is_none());
     }
 }

@@ -110,7 +110,8 @@ impl Tile {
         let (w, h) = picture.dimensions();
         let count = (self.high - self.low).to_array();
         let across = [w as f32 * count[0], h as f32 * count[1]];
-        if !across.iter().all(|&a| a <= MAX as f32) {
+        // None at all where coordinates are so large that their whole numbers are not told apart.
+        if !across.iter().all(|a| (1.0..=MAX as f32).contains(a)) {
             return Err(Error::usage("a texture of the model")
                 .expected(format!("repetitions that fit into {MAX} texels"))
                 .found(format!("{w} × {h} texels repeated {} × {} times", count[0], count[1]))
@@ -210,6 +211,16 @@ mod tests {
         let colors: Vec<[u8; 3]> = mesh.uvs.iter().map(|uv| color_at(&texture, *uv)).collect();
         assert_eq!(colors[..3], [[0, 0, 7], [120, 120, 7], [40, 40, 7]]);
         assert_eq!(colors[3..], [[255, 0, 0], [255, 0, 0], [255, 0, 0], [255; 3], [255; 3], [255; 3]]);
+    }
+
+    #[test]
+    fn coordinates_too_large_to_have_a_fraction_are_refused() {
+        let photo = Material { image: Some(0), ..Material::default() };
+        for large in [[1e9, 0.5], [0.5, -1e9], [1e30, 1e30]] {
+            let (materials, images) = (vec![photo.clone()], vec![picture(4, 4)]);
+            let asset = Asset { parts: vec![part(Some(0), [large; 3])], materials, images, ..Asset::default() };
+            assert!(merge(&asset).unwrap_err().found.contains("repeated"), "{large:?}");
+        }
     }
 
     #[test]

@@ -43,8 +43,11 @@ impl Ortho {
         let (x, y) = self.keys.pixel(latitude, longitude)?;
         let (x, y) = (x.round(), y.round());
         let inside = (0.0..f64::from(self.size.0)).contains(&x) && (0.0..f64::from(self.size.1)).contains(&y);
+        if !inside {
+            return None;
+        }
         let at = (y as usize * self.size.0 as usize + x as usize) * self.bands;
-        inside.then(|| self.pixels.get(at..at + 3)).flatten().and_then(|p| p.try_into().ok())
+        self.pixels.get(at..at + 3)?.try_into().ok()
     }
 }
 

@@ -71,7 +71,7 @@ impl Geocell {
             let n: i32 = text.get(1..)?.parse().ok()?;
             match text.chars().next() {
                 Some(c) if c == plus => Some(n),
-                Some(c) if c == minus => Some(-n),
+                Some(c) if c == minus => n.checked_neg(),
                 _ => None,
             }
         };
@@ -242,6 +242,7 @@ mod tests {
             ("N10", "W000"),
             ("N90", "E000"),
             ("", "é1"),
+            ("S-2147483648", "E001"),
         ] {
             assert_eq!(Geocell::from_names(latitude, longitude), None, "{latitude} {longitude}");
         }

@@ -161,7 +161,7 @@ pub fn table_with(existing: Option<&str>, material: &Material, marking: &str) ->
     if let Some(i) = materials().filter(same).filter_map(index).find(|&i| i > 0) {
         return Ok((None, i));
     }
-    let next = materials().filter_map(index).max().unwrap_or(0) + 1;
+    let next = materials().filter_map(index).max().unwrap_or(0).saturating_add(1);
     // CMIX is a column of six digits.
     if next > 999_999 {
         return refuse(format!("index {next} does not fit CMIX; renumber the materials"));
@@ -239,6 +239,8 @@ mod tests {
         assert_eq!(index, 8, "a layered material is another material");
         assert_eq!(xml::parse(&text.unwrap()).unwrap().children.len(), 2);
         assert_eq!(table_with(Some(layered), &given("snow/concrete"), "").unwrap(), (None, 7));
+        let full = layered.replace("index=\"7\"", "index=\"4294967295\"");
+        assert!(table_with(Some(&full), &given("concrete"), "").is_err(), "no index is left");
         let thick = layered.replace("</Material></Primary", "</Material><Thickness>2</Thickness></Primary");
         assert_eq!(table_with(Some(&thick), &given("snow/concrete"), "").unwrap().1, 8);
         for wrong in ["<a/>", "<x:Composite_Material_Table/>", "<Composite_Material_Table>"] {
