@@ -437,24 +437,6 @@ def dispatch(kit):
 def motorbike(kit):
     """Sport bikes, naked bikes, cafe racers, scramblers, classics, cruisers, baggers, choppers, tourers, adventure, cross, trial and dispatch bikes, mopeds, scooters,
     three-wheelers, sidecars."""
-    makers = [
-        sport,
-        sport,
-        roadster,
-        roadster,
-        roadster,
-        cruiser,
-        cruiser,
-        tourer,
-        adventure,
-        adventure,
-        dirt,
-        dirt,
-        moped,
-        small_scooter,
-        maxi_scooter,
-        trike,
-        dispatch,
-        dispatch,
-    ]
+    makers = [sport, sport, roadster, roadster, roadster, cruiser, cruiser, tourer, adventure, adventure, dirt, dirt, moped, small_scooter, maxi_scooter, trike]
+    makers += [dispatch, dispatch]
     kit.rng.choice(makers)(kit)

@@ -263,23 +263,8 @@ TRAINERS = ("hawk", "albatros", "alpha", "macchi", "tiger")
 def warplane(kit):
     """Fighters of all ages and makes, attack and training jets, transports, bombers, radar and tanker aircraft, bush planes, dusters, business jets, airliners,
     amphibians."""
-    kinds = [
-        combat_jet,
-        tank_killer,
-        propeller_transport,
-        jet_transport,
-        radar_aeroplane,
-        big_jet,
-        big_delta,
-        turbo_trainer,
-        piston_fighter,
-        piston_bomber,
-        twin_boom,
-        bush_plane,
-        duster,
-        business_jet,
-        amphibian,
-    ]
+    kinds = [combat_jet, tank_killer, propeller_transport, jet_transport, radar_aeroplane, big_jet, big_delta, turbo_trainer, piston_fighter, piston_bomber]
+    kinds += [twin_boom, bush_plane, duster, business_jet, amphibian]
     chances = np.array([38, 5, 6, 5, 4, 8, 3, 5, 10, 8, 2, 7, 3, 5, 5], float)
     kinds[kit.rng.choice(len(kinds), p=chances / chances.sum())](kit)
 

@@ -304,7 +304,6 @@ fn flights(scene: &Scene, result: &Submission, unit: &Unit, place: &Similarity, 
 
 /// TC of frames that the system drew itself.
 fn coherent(frames: &[Picture], subject: &[Vec<bool>], result: &Submission, again: Option<f64>, out: &mut Evaluation) {
-    let same_size = frames.windows(2).all(|f| (f[0].width, f[0].height) == (f[1].width, f[1].height));
     let both = temporal::smoothness(frames, subject).zip(temporal::flicker(frames, subject));
     out.set("smoothness_flicker", both.map(|(a, b)| vec![a, b]), "fewer than three frames of one size");
     // Two frames of one pose, as far apart in time as there are.
@@ -316,7 +315,8 @@ fn coherent(frames: &[Picture], subject: &[Vec<bool>], result: &Submission, agai
     let pair = (2..n)
         .rev()
         .find_map(|d| (0..n - d).find(|i| same(&result.frames[*i].1, &result.frames[i + d].1)).map(|i| (i, i + d)));
-    let closed = pair.filter(|_| same_size).map(|(i, j)| temporal::loop_closure(&frames[i], &frames[j]));
+    let closed =
+        pair.filter(|_| temporal::same_size(frames)).map(|(i, j)| temporal::loop_closure(&frames[i], &frames[j]));
     out.set("loop_closure", closed.or(again).map(|v| vec![v]), "no frame returns to an earlier pose");
 }
 

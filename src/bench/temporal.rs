@@ -3,10 +3,15 @@
 use super::Picture;
 use super::perception::psnr;
 
+/// Whether all frames have one size.
+pub fn same_size(frames: &[Picture]) -> bool {
+    frames.windows(2).all(|f| (f[0].width, f[0].height) == (f[1].width, f[1].height))
+}
+
 /// Mean over pixels and channels of |I(t−1) − 2 I(t) + I(t+1)|, share of full scale, where `subject` is true in any of the
 /// three; None for fewer than three frames and for frames of several sizes.
 pub fn smoothness(frames: &[Picture], subject: &[Vec<bool>]) -> Option<f64> {
-    if frames.windows(2).any(|f| (f[0].width, f[0].height) != (f[1].width, f[1].height)) {
+    if !same_size(frames) {
         return None;
     }
     let (mut sum, mut n) = (0.0, 0.0);
