@@ -10,7 +10,7 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
 * shapes: SplatNet on plain photos with true masks, every fourth view of 24, on white: silhouette IoU and PSNR in its own
   unit, then at the best of the scales in `SCALES` (no photo shows the unit when the bounding box lies askew), PSNR of the
   views within 60 degrees of the photo at that scale, the same three at the scale and shift that fit the silhouettes best (nor does
-  a photo show the box's middle: `score.better_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
+  a photo show the box's middle: `score.best_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
   `dist`, normalised as ImageNet's networks want it), its means over the views in its own unit and so placed, drawn on to 256 x 256.
   `--widen 1` widens the Gaussians as the pictures did that versions up to 0.6 learned by, `BLUR`; since 0.7 pictures are true to size.
 """
@@ -31,10 +31,9 @@ sys.path.insert(0, str(HERE.parent))
 
 import evaluate
 from nets import SceneNet, SplatNet
-from score import better_place
+from score import FITS, best_place
 
 SCALES = (1.0, 0.94, 1.07, 1.15)
-FITS = 3  # steps of the scale and shift that fit best
 EVERY = 4  # of the 24 views
 # Standard deviation of 0.3 square pixels (Kerbl et al. 2023) of 128 over 30 degrees, at the subject's centre.
 BLUR = math.sqrt(0.3) * 2 * SplatNet.DIST * math.tan(math.radians(15)) / 128
@@ -126,10 +125,13 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
             perceived = [lpips(graph, drawn[0], colour)]
         scores[by] = evaluate.view_scores(*drawn, colour, alpha, views)
     best = max(SCALES, key=lambda by: scores[by]["iou"])
-    place, silhouettes = (1.0, np.zeros(3)), SimpleNamespace(views=views, alpha=alpha.cpu().numpy(), size=size)
-    for _ in range(FITS):
-        drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
-        place = better_place(silhouettes, place, drawn[1].cpu().numpy())
+    silhouettes = SimpleNamespace(views=views, alpha=alpha.cpu().numpy(), size=size)
+
+    def drawn_at(place):
+        made, covered = evaluate.rendered(answer, elevation, azimuth, size, views, place)
+        return made, covered.cpu().numpy()
+
+    place, _ = best_place(silhouettes, (1.0, np.zeros(3)), drawn_at, FITS)
     drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
     placed = evaluate.view_scores(*drawn, colour, alpha, views)
     if graph:
