@@ -242,7 +242,7 @@ class SplatNet(nn.Module):
     def __init__(self, layers=2):
         super().__init__()
         self.layers = layers
-        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=24, heads=8, near=6)
+        self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=48, heads=8, near=12)
         self.el = head(256, 2)
         self.camera = head(256, 4)
         self.er = ErrorHead(48, 256, layers)
@@ -334,33 +334,51 @@ NETS = {"scene": SceneNet, "detail": DetailNet, "splat": SplatNet}
 def grown(net, state):
     """`state` of a shallower `net` (fewer transformer blocks, fewer input channels) made to fit, function unchanged.
 
-    New blocks are `net`'s own with output projections of zero: they pass their tokens on. New input channels count for
-    nothing. Heads that are new start anew; what they answer beyond what they did is 0. A finer grid takes its positions
-    between those of the coarser one (SceneNet's weights for DetailNet), and its last input is another, so counts for nothing.
+    Blocks move apart evenly (`deepened`). New input channels count for nothing. Heads that are new start anew; what they answer
+    beyond what they did is 0. A finer grid takes its positions between those of the coarser one (SceneNet's weights for
+    DetailNet), and its last input is another, so counts for nothing.
     """
-    state = dict(state)
     fresh = net.state_dict()
+    state = deepened(deepened(dict(state), fresh, "net.mid."), fresh, "net.near.")
     for name, value in fresh.items():
         if name.startswith(("el.", "camera.", "er.", "fine.")):
             if name not in state:
                 state[name] = value.clone()
             elif len(state[name]) < len(value):
                 state[name] = torch.cat([state[name], torch.zeros_like(value[len(state[name]) :])])
-            continue
         if name == "net.stem.weight" and state[name].shape != value.shape:
             wider = torch.zeros_like(value)
             wider[:, : state[name].shape[1]] = state[name]
             state[name] = wider
         if name == "net.pos_near" and name not in state:
             state[name] = value.clone()
-        if name in state or not re.search(r"\.(mid|near)\.", name):
-            continue
-        closes = re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
-        state[name] = torch.zeros_like(value) if closes else value.clone()
     if state["net.pos"].shape != fresh["net.pos"].shape:
         state["net.pos"] = finer(state["net.pos"], fresh["net.pos"].shape[1])
         state["net.stem.weight"][:, 3:] = 0
     return {name: state[name] for name in fresh}
+
+
+def deepened(state, fresh, prefix):
+    """`state` with as many transformer blocks under `prefix` as `fresh` has: its own moved apart evenly, after each of them copies
+    of it (where it has none, `fresh`'s) whose output projections are zero, so that they pass their tokens on until they have
+    learned (Wu et al. 2024, LLaMA Pro, section 3.2)."""
+
+    def blocks(of):
+        return max((int(name[len(prefix) :].split(".")[0]) + 1 for name in of if name.startswith(prefix)), default=0)
+
+    had, wanted = blocks(state), blocks(fresh)
+    if had >= wanted:
+        return state
+    made = {name: value for name, value in state.items() if not name.startswith(prefix)}
+    sources = state if had else fresh
+    for place in range(wanted):
+        source = place * (had or wanted) // wanted
+        copy = not had or place > 0 and source == (place - 1) * had // wanted
+        for name in [name for name in fresh if name.startswith(f"{prefix}{place}.")]:
+            value = sources[name.replace(f"{prefix}{place}.", f"{prefix}{source}.", 1)]
+            closes = copy and re.search(r"\.(o|f\.2)\.(weight|bias)$", name)
+            made[name] = torch.zeros_like(value) if closes else value.clone()
+    return made
 
 
 def finer(positions, tokens):

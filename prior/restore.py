@@ -15,42 +15,16 @@ import numpy as np
 import onnx
 import torch
 import torch.nn.functional as F
-from onnx import numpy_helper
 from torch import nn
 
 from export import Detail, Scene, Splat
 from nets import NETS, SplatNet, grown
+from packing import module_path, stored_values
 
 LAYERS = ("Conv", "MatMul", "Gemm", "LayerNormalization")
 # Which batch norm was folded into a block's convolution a or b.
 NORM_OF = {"a": "n", "b": "m"}
 WRAPPERS = {"scene": Scene, "detail": Detail, "splat": Splat}
-
-
-def module_path(node_name):
-    """The module that a node was exported from: "/n/net/down.1/down.1.0/a/Conv" -> "net.down.1.0.a".
-
-    A container's child repeats the container's name, so of "down.1/down.1.0" only the last part counts.
-    """
-    parts = []
-    for part in node_name.split("/")[2:-1]:
-        if parts and part.startswith(parts[-1] + "."):
-            parts[-1] = part
-        else:
-            parts.append(part)
-    return ".".join(parts)
-
-
-def stored_values(graph):
-    """All weights by the name under which nodes read them, as float32: float16 and int8 ones turned back."""
-    values = {t.name: numpy_helper.to_array(t) for t in graph.initializer}
-    for node in graph.node:
-        if node.op_type in ("Cast", "Identity") and node.input[0] in values:
-            values[node.output[0]] = values[node.input[0]]
-        if node.op_type == "Mul" and node.input[0].endswith("_whole"):
-            whole, scale = (values[name] for name in node.input)
-            values[node.output[0]] = whole.astype(np.float32) * scale
-    return {name: np.asarray(value, np.float32) for name, value in values.items()}
 
 
 def weights_by_module(graph):

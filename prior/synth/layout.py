@@ -5,7 +5,7 @@ Camera frame: OpenCV (x right, y down, z forward).
 """
 
 # Primitives an object may have.
-PRIMS = 64
+PRIMS = 80
 
 # Kinds of convex primitive. BOX: its top may be scaled (taper) and moved (shift) against its bottom.
 # CYL: elliptic, along local z, its top scaled by the first taper. TUBE: the mantle of a CYL, seen from both sides.
