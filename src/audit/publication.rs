@@ -89,6 +89,9 @@ pub struct Publication {
     /// Lower-case names of files and folders, against names that differ in case only.
     names: BTreeSet<String>,
     merge: Option<PreparedMerge>,
+    /// What may stand at the destination: asked again before the rename.
+    replace: bool,
+    own: Vec<String>,
     disk: Disk,
     published: bool,
     _lock: Option<FileLock>,
@@ -155,8 +158,9 @@ impl Publication {
     fn staged(to: &Destination, disk: Disk, own: &[&str]) -> Result<Publication> {
         let (parent, name) = parent_and_name(&to.folder)?;
         let folder = parent.join(&name);
+        let own: Vec<String> = own.iter().map(|name| (*name).to_owned()).collect();
         sweep(&parent, &name, &disk);
-        check_free(&folder, to.replace, own)?;
+        check_free(&folder, to.replace, &own)?;
         let staging = parent.join(beside(&name, &format!("{:016x}", to.nonce)));
         disk.create_dir(&staging).map_err(|mut e| {
             e.subject = folder.display().to_string();
@@ -170,6 +174,8 @@ impl Publication {
             subjects: Vec::new(),
             names: BTreeSet::new(),
             merge: None,
+            replace: to.replace,
+            own,
             disk,
             published: false,
             _lock: None,
@@ -241,7 +247,8 @@ impl Publication {
     ///
     /// # Errors
     /// [`crate::Kind::Policy`] for a marking below an input's; [`crate::Kind::Integrity`] for a broken ledger;
-    /// [`crate::Kind::Environment`] for the disk. The destination and the store are then as they were.
+    /// [`crate::Kind::Usage`] for a destination that is in use by now; [`crate::Kind::Environment`] for the disk.
+    /// The destination and the store are then as they were.
     pub fn seal(mut self, draft: &RecordDraft, key: &SigningKey, ledger: &mut Ledger) -> Result<Published> {
         if draft.handling != self.handling {
             let (of_files, of_record) = (&self.handling.marking, &draft.handling.marking);
@@ -307,8 +314,11 @@ impl Publication {
         if let Some(merge) = &mut self.merge {
             merge.apply(recorded, &self.destination)?;
         }
-        // Should the rename fail, the merge is undone when it is dropped.
-        let old = put_in_place(&self.staging, &self.destination, recorded, &self.disk)?;
+        // Should this or the rename fail, the merge is undone when it is dropped. The run may have been a long one: what was
+        // free when it began need not be free now.
+        check_free(&self.destination, self.replace, &self.own)?;
+        let may_replace = self.replace || !self.own.is_empty();
+        let old = put_in_place(&self.staging, &self.destination, may_replace, recorded, &self.disk)?;
         self.published = true;
         if let Some(parent) = self.destination.parent() {
             let _ = self.disk.sync_dir(parent);

@@ -40,7 +40,7 @@ pub(super) fn parent_and_name(folder: &Path) -> Result<(PathBuf, OsString)> {
 }
 
 /// Refuses a destination that is not free, and in it files that Orb did not write. Those of the names in `own` are the run's.
-pub(super) fn check_free(folder: &Path, replace: bool, own: &[&str]) -> Result<()> {
+pub(super) fn check_free(folder: &Path, replace: bool, own: &[String]) -> Result<()> {
     let in_use = |found: &str, advice: &str| {
         Error::usage(folder.display().to_string()).expected("a new or empty folder").found(found).advice(advice)
     };
@@ -52,7 +52,7 @@ pub(super) fn check_free(folder: &Path, replace: bool, own: &[&str]) -> Result<(
         return Err(in_use("a file or a link", "Choose another place with -o."));
     }
     let entries = disk::walk(folder)?;
-    if entries.iter().all(|e| !e.is_dir && own.contains(&e.name.as_str())) {
+    if entries.iter().all(|e| !e.is_dir && own.contains(&e.name)) {
         return Ok(());
     }
     let record_path = folder.join(RECORD);
@@ -69,7 +69,7 @@ pub(super) fn check_free(folder: &Path, replace: bool, own: &[&str]) -> Result<(
         ));
     }
     let listed = listed_names(&record_path)?;
-    match entries.iter().find(|e| !e.is_dir && !listed.contains(&e.name)) {
+    match entries.iter().find(|e| !e.is_dir && !listed.contains(&e.name) && !own.contains(&e.name)) {
         None => Ok(()),
         Some(foreign) => Err(in_use(
             &format!("{}, which Orb did not write", foreign.name),
@@ -91,14 +91,16 @@ fn listed_names(record_path: &Path) -> Result<BTreeSet<String>> {
 }
 
 /// Renames the staging folder to its destination, once its record stands; an older folder that stood there is returned under
-/// its new name.
+/// its new name. Unless one may be replaced, only nothing and an empty folder give way.
 pub(super) fn put_in_place(
     staging: &Path,
     destination: &Path,
+    may_replace: bool,
     _recorded: &Recorded,
     disk: &Disk,
 ) -> Result<Option<PathBuf>> {
-    if fs::symlink_metadata(destination).is_err() {
+    // POSIX: a renamed folder takes the place of an empty one, and of no other that appeared since it was looked for.
+    if fs::symlink_metadata(destination).is_err() || (cfg!(unix) && !may_replace) {
         return disk.rename(staging, destination).map(|()| None);
     }
     if exchange(staging, destination, disk)? {

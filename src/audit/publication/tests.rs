@@ -126,6 +126,45 @@ fn an_earlier_result_is_replaced_whole() {
     assert_eq!(ledger(dir.path()).read_chain().unwrap().len(), 2);
 }
 
+/// Two runs to one place that was free when both began, and a folder that its user made during a run: what stands there at
+/// the end stays, as nobody agreed to its replacement.
+#[test]
+fn a_destination_that_fills_up_during_the_run() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let begin = |nonce: u64, replace: bool| {
+        let to = Destination { nonce, replace, ..destination(&out) };
+        let mut publication = Publication::begin(&to).unwrap();
+        fill(&mut publication).unwrap();
+        publication
+    };
+    let seal = |publication: Publication| publication.seal(&draft(), shared_key(), &mut ledger(dir.path()));
+    let (first, second, third) = (begin(7, false), begin(8, false), begin(9, true));
+    seal(first).unwrap();
+    let record = fs::read(out.join(RECORD)).unwrap();
+    let error = seal(second).unwrap_err();
+    assert_eq!((error.kind, error.found.as_str()), (Kind::Usage, "an earlier result of Orb"));
+    assert_eq!(fs::read(out.join(RECORD)).unwrap(), record);
+    assert_eq!(
+        ledger(dir.path()).read_chain().unwrap()[2].predicate.event.error_code.as_deref(),
+        Some("PUBLISH_FAILED")
+    );
+    // Replacing is agreed to, but not what Orb did not write.
+    fs::write(out.join("thesis.txt"), "mine").unwrap();
+    assert!(seal(third).unwrap_err().found.contains("thesis.txt"));
+    fs::remove_dir_all(&out).unwrap();
+    let fourth = begin(10, false);
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("thesis.txt"), "mine").unwrap();
+    assert_eq!(seal(fourth).unwrap_err().kind, Kind::Usage);
+    assert_eq!(fs::read(out.join("thesis.txt")).unwrap(), b"mine");
+    assert_eq!(names(dir.path()), ["out", "out/thesis.txt"], "nothing is left beside it");
+    // An empty folder gives way.
+    fs::remove_file(out.join("thesis.txt")).unwrap();
+    seal(begin(11, false)).unwrap();
+    assert!(out.join("scene.ply").is_file());
+}
+
 #[test]
 fn names_that_are_refused() {
     let dir = tempfile::tempdir().unwrap();
@@ -440,4 +479,17 @@ fn a_folder_that_the_run_works_in_becomes_the_published_one() {
     std::fs::write(out.join("b"), b"another's").unwrap();
     let refused = Publication::begin_over(&to, &own).unwrap_err().to_string();
     assert!(refused.contains("other files"), "{refused}");
+    // Over an earlier result, beside which the run keeps what is its own.
+    std::fs::remove_dir_all(&out).unwrap();
+    let sealed = |replace: bool| {
+        let to = Destination { replace, ..destination(&out) };
+        let mut publication = Publication::begin_over(&to, &own).unwrap();
+        publication.add("a.part", b"made", "application/octet-stream", "part").unwrap();
+        let _ = std::fs::create_dir(&out);
+        std::fs::write(out.join("run.ckpt"), b"half").unwrap();
+        publication.seal(&draft(), shared_key(), &mut ledger(dir.path())).unwrap();
+        assert!(out.join(RECORD).is_file() && !out.join("run.ckpt").exists());
+    };
+    sealed(false);
+    sealed(true);
 }
