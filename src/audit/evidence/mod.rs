@@ -22,7 +22,7 @@ use super::report::{Finding, Report, Severity, Verdict};
 use super::statement::Statement;
 use super::time;
 use super::trust::{CertChain, TrustStore};
-use crate::Result;
+use crate::{Kind, Result};
 use cell::{Cell, spans};
 pub use checks::{to_junit, to_sarif};
 use signers::{algorithms, fingerprints};
@@ -110,10 +110,12 @@ fn document(evidence: &Evidence<'_>) -> Result<Document> {
         controls::matrix(evidence, records),
     ];
     if let Some(folder) = evidence.folder.filter(|_| !records.is_empty()) {
-        sections.push(Section {
-            title: "Verify again, without Orb",
-            blocks: vec![Block::Commands(by_hand::openssl_commands(folder, by_hand::Beside::default())?)],
-        });
+        let block = match by_hand::openssl_commands(folder, by_hand::Beside::default()) {
+            // The findings say what is wrong; the report of it is written all the same.
+            Err(e) if e.kind == Kind::Integrity => Block::Text(format!("No commands are given: {}.", e.found)),
+            commands => Block::Commands(commands?),
+        };
+        sections.push(Section { title: "Verify again, without Orb", blocks: vec![block] });
     }
     sections.push(records::hashes(records));
     Ok(Document {
