@@ -15,7 +15,9 @@ pub(super) fn render(document: &Document) -> String {
                     let _ = write!(out, "\n{}\n", escaped(text));
                 }
                 Block::Commands(text) => {
-                    let _ = write!(out, "\n```\n{}```\n", text.replace("```", "` ` `"));
+                    // The fence that ends them stands on a line of its own.
+                    let end = if text.ends_with('\n') { "" } else { "\n" };
+                    let _ = write!(out, "\n```\n{}{end}```\n", text.replace("```", "` ` `"));
                 }
                 Block::Lineage(lineage) => {
                     out.push('\n');

