@@ -124,7 +124,7 @@ impl TrustStore {
             (None, Some(chain)) => {
                 let authorities: Vec<Authority> = self.authorities.values().cloned().collect();
                 let crls: Vec<Vec<u8>> = self.crls.values().cloned().collect();
-                chain::judge(&authorities, &crls, chain, signed)
+                chain::judge(&authorities, &crls, chain, signed, marking)
             }
             (None, None) => Vec::new(),
         }

@@ -18,6 +18,7 @@ use x509_cert::ext::pkix::{BasicConstraints, ExtendedKeyUsage, KeyUsage, KeyUsag
 use super::entry::{Entry, Objection, Signed};
 use crate::audit::canonical::sha256_hex;
 use crate::audit::keys::PublicKey;
+use crate::audit::marking::Marking;
 use crate::audit::pem;
 use crate::audit::time;
 
@@ -169,31 +170,47 @@ pub fn check_crl(der: &[u8]) -> Result<(), String> {
 
 /// Whether some path leads from the chain to an authority, at a time when the signer's certificate is valid; else why not.
 pub fn leads_to(authorities: &[Authority], chain: &CertChain) -> Result<(), String> {
-    path(authorities, chain, chain.not_before_ms, &[]).map_err(|e| e.to_string())
+    path(authorities, chain, chain.not_before_ms, &[]).map(drop).map_err(|e| e.to_string())
 }
 
-/// What stands against a signature made then by the chain's key.
-pub fn judge(authorities: &[Authority], crls: &[Vec<u8>], chain: &CertChain, signed: Signed) -> Vec<Objection> {
+/// What stands against a signature made then by the chain's key, on something marked so. The limits of every authority that
+/// answers for the key are its limits.
+pub fn judge(
+    authorities: &[Authority],
+    crls: &[Vec<u8>],
+    chain: &CertChain,
+    signed: Signed,
+    marking: Option<&Marking>,
+) -> Vec<Objection> {
     let at = time::format_utc(signed.stated_ms);
     let refused =
         |why: &Refusal| vec![Objection::new(why.code(), format!("a path that holds at {at}"), why.to_string())];
+    let limits = |answering: &[&Authority]| {
+        let each = answering.iter().map(|authority| authority.entry.judge(signed, marking));
+        each.flatten().collect::<Vec<Objection>>()
+    };
     let lists: Vec<CertRevocationList<'_>> =
         crls.iter().filter_map(|der| BorrowedCertRevocationList::from_der(der).ok()).map(Into::into).collect();
     let lists: Vec<&CertRevocationList<'_>> = lists.iter().collect();
     match path(authorities, chain, signed.stated_ms, &lists) {
-        Ok(()) => Vec::new(),
+        Ok(answering) => limits(&answering),
         // webpki refuses whenever it happened; the date decides.
         Err(revoked @ Refusal::Path(webpki::Error::CertRevoked)) => {
-            if let Err(why) = path(authorities, chain, signed.stated_ms, &[]) {
-                return refused(&why);
-            }
-            let found: Vec<Objection> = revocations(chain, &lists)
+            let answering = match path(authorities, chain, signed.stated_ms, &[]) {
+                Ok(answering) => answering,
+                Err(why) => return refused(&why),
+            };
+            let mut found: Vec<Objection> = revocations(chain, &lists)
                 .into_iter()
                 .map(|(from_ms, compromised)| {
                     signed.against(from_ms, compromised, "CERT_REVOKED", "CERT_REVOKED_LATER")
                 })
                 .collect();
-            if found.is_empty() { refused(&revoked) } else { found }
+            if found.is_empty() {
+                return refused(&revoked);
+            }
+            found.extend(limits(&answering));
+            found
         }
         Err(why) => refused(&why),
     }
@@ -214,7 +231,7 @@ pub fn check_time_stamping(
     let lists: Vec<CertRevocationList<'_>> =
         crls.iter().filter_map(|der| BorrowedCertRevocationList::from_der(der).ok()).map(Into::into).collect();
     let lists: Vec<&CertRevocationList<'_>> = lists.iter().collect();
-    path_for(authorities, der, &usages, Some(TIME_STAMPING), at_ms, &lists).map_err(|e| e.to_string())
+    path_for(authorities, der, &usages, Some(TIME_STAMPING), at_ms, &lists).map(drop).map_err(|e| e.to_string())
 }
 
 /// Verifies a signature by the first certificate's key over a digest of so many bits: the certificate's subject.
@@ -256,29 +273,32 @@ impl std::fmt::Display for Refusal {
     }
 }
 
-fn path(
-    authorities: &[Authority],
+fn path<'a>(
+    authorities: &'a [Authority],
     chain: &CertChain,
     at_ms: u64,
     crls: &[&CertRevocationList<'_>],
-) -> Result<(), Refusal> {
+) -> Result<Vec<&'a Authority>, Refusal> {
     path_for(authorities, &chain.der, &chain.usages, None, at_ms, crls)
 }
 
+/// Every authority that answers for the first certificate, at least one.
+///
 /// `usage`: the one that is asked for, in place of what each authority asks for.
-fn path_for(
-    authorities: &[Authority],
+fn path_for<'a>(
+    authorities: &'a [Authority],
     der: &[Vec<u8>],
     usages: &[String],
     usage: Option<&str>,
     at_ms: u64,
     crls: &[&CertRevocationList<'_>],
-) -> Result<(), Refusal> {
+) -> Result<Vec<&'a Authority>, Refusal> {
     let at = UnixTime::since_unix_epoch(Duration::from_millis(at_ms));
     let certificates: Vec<CertificateDer<'_>> = der.iter().map(|d| CertificateDer::from(d.as_slice())).collect();
     let mut last = Refusal::Path(webpki::Error::UnknownIssuer);
     let Some((leaf, between)) = certificates.split_first() else { return Err(last) };
     let leaf = EndEntityCert::try_from(leaf).map_err(Refusal::Path)?;
+    let mut answering = Vec::new();
     for authority in authorities {
         let der = CertificateDer::from(authority.der.as_slice());
         let anchor = anchor_from_trusted_cert(&der).map_err(Refusal::Path)?;
@@ -288,14 +308,14 @@ fn path_for(
         let wanted = usage.or(authority.entry.eku.as_deref()).unwrap_or(DOCUMENT_SIGNING);
         match leaf.verify_for_usage(&ALGORITHMS, &[anchor], between, at, AnyUsage, revocation, None) {
             Ok(_) if usages.is_empty() || usages.iter().any(|u| u == wanted || u == ANY_USAGE) => {
-                return Ok(());
+                answering.push(authority);
             }
             Ok(_) => last = Refusal::Usage(usages.join(" "), wanted.to_owned()),
             Err(webpki::Error::UnknownIssuer) => {}
             Err(other) => last = Refusal::Path(other),
         }
     }
-    Err(last)
+    if answering.is_empty() { Err(last) } else { Ok(answering) }
 }
 
 /// When each revoked certificate of the chain was revoked, and whether for a compromise.

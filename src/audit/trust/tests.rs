@@ -253,6 +253,36 @@ fn a_certificate_that_was_taken_back() {
     assert_eq!(codes_of(&stolen.judge(fingerprint, proven, None)), ["CERT_REVOKED_LATER"]);
 }
 
+/// What is said of an authority holds for each key that it answers for, as it would if it were said of the key.
+#[test]
+fn limits_of_an_authority() {
+    let Some(pki) = Pki::new() else { return };
+    let data = DataFolder::at(pki.path("data"));
+    let fingerprint = shared_key().public().fingerprint();
+    let judge = |entry: &Entry, marking: &Marking| {
+        add_file(&data, &pki.path("root.pem"), entry).unwrap();
+        let mut store = TrustStore::load(&data, &[]).unwrap();
+        store.present(CertChain::from_pem(&pki.chain()).unwrap()).unwrap();
+        codes_of(&store.judge(fingerprint, signed(UTC, None), Some(marking)))
+    };
+    let unclassified = Marking::UNCLASSIFIED;
+    let limited = Entry { max_marking: Some("UNCLASSIFIED".into()), ..entry() };
+    assert_eq!(judge(&entry(), &Marking::SECRET), [""; 0]);
+    assert_eq!(judge(&limited, &unclassified), [""; 0]);
+    assert_eq!(judge(&limited, &Marking::SECRET), ["KEY_SCOPE"]);
+    let until = |utc: &str| Entry { not_after: Some(utc.into()), ..entry() };
+    assert_eq!(judge(&until("2025-05-01T00:00:00.000Z"), &unclassified), ["KEY_EXPIRED"]);
+    assert_eq!(judge(&until("2025-07-01T00:00:00.000Z"), &unclassified), [""; 0]);
+    let from = Entry { not_before: Some("2025-07-01T00:00:00.000Z".into()), ..entry() };
+    assert_eq!(judge(&from, &unclassified), ["KEY_EXPIRED"]);
+    // A second authority over the same key lifts nothing that was said of the first.
+    assert!(matches!(add_file(&data, &pki.path("issuing.pem"), &entry()).unwrap(), Added::Authority(_)));
+    assert_eq!(judge(&limited, &Marking::SECRET), ["KEY_SCOPE"]);
+    // Nor does a revocation that came later.
+    add_file(&data, &pki.revoke(None), &entry()).unwrap();
+    assert_eq!(judge(&limited, &Marking::SECRET), ["CERT_REVOKED_LATER", "KEY_SCOPE"]);
+}
+
 #[test]
 fn a_folder_and_a_ledger_signed_under_an_authority() {
     use crate::audit::Policy;
