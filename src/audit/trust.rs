@@ -338,11 +338,26 @@ fn write_with_words(folder: &Path, name: &str, pem: &str, entry: &Entry) -> Resu
     write_whole(&path, pem.as_bytes())
 }
 
+/// Whether [`revoke`] may do so, for who has to tell of it before.
+///
+/// # Errors
+/// As [`revoke`], but for the writing.
+pub fn check_revoke(data: &DataFolder, fingerprint: &str, revocation: &Revocation) -> Result<()> {
+    revoked(data, fingerprint, revocation).map(drop)
+}
+
 /// No longer trusts a key, from a time on.
 ///
 /// # Errors
-/// [`crate::Kind::Usage`] for a key that the store does not hold, or one that is revoked already from an earlier time.
+/// [`crate::Kind::Usage`] for a key that the store does not hold, or one that is revoked already from an earlier time or for
+/// a compromise, and now for less; [`crate::Kind::Environment`] when it cannot be written.
 pub fn revoke(data: &DataFolder, fingerprint: &str, revocation: Revocation) -> Result<()> {
+    let (path, entry) = revoked(data, fingerprint, &revocation)?;
+    write_entry(&path, &entry)
+}
+
+/// Where the key stands, and what is then said of it.
+fn revoked(data: &DataFolder, fingerprint: &str, revocation: &Revocation) -> Result<(PathBuf, Entry)> {
     let path = data.path().join("trust").join(format!("{fingerprint}.pem"));
     let known = fingerprint.bytes().all(|b| b.is_ascii_hexdigit()) && path.is_file();
     if !known {
@@ -361,9 +376,18 @@ pub fn revoke(data: &DataFolder, fingerprint: &str, revocation: Revocation) -> R
             .found(&revocation.from)
             .advice("The key is revoked since then; a revocation is not taken back."));
     }
-    entry.revoked = Some(revocation);
+    // A milder one would let count again what only a time stamp can prove to be older.
+    if entry.revoked.as_ref().is_some_and(|before| before.reason == Reason::Compromise)
+        && revocation.reason != Reason::Compromise
+    {
+        return Err(Error::usage(fingerprint)
+            .expected("the reason compromise, for which the key is revoked already")
+            .found(format!("{:?}", revocation.reason).to_lowercase())
+            .advice("A compromise is not taken back; it can only be dated earlier."));
+    }
+    entry.revoked = Some(revocation.clone());
     entry.check(fingerprint)?;
-    write_entry(&path, &entry)
+    Ok((path, entry))
 }
 
 fn make_folder(path: &Path) -> Result<()> {

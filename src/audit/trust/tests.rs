@@ -83,6 +83,9 @@ fn added_listed_and_revoked() {
     revoke(&data, fingerprint, revocation(UTC)).unwrap();
     assert_ne!(load().sha256(), before, "the store's digest shows it");
     assert!(revoke(&data, fingerprint, revocation("2025-07-01T00:00:00.000Z")).is_err(), "not later than it was");
+    let milder = Revocation { from: "2025-01-01T00:00:00.000Z".into(), reason: Reason::Superseded };
+    assert!(check_revoke(&data, fingerprint, &milder).unwrap_err().expected.contains("compromise"));
+    assert!(revoke(&data, fingerprint, milder).is_err(), "a compromise stays one");
     // Adding a key again does not take its revocation back.
     add_file(&data, &file, &entry()).unwrap();
     add(&data, other_key()).unwrap();

@@ -379,6 +379,13 @@ mod tests {
         let stolen = revoke("2026-01-01T00:00:00.000Z", "compromise").unwrap();
         assert!(stolen.exit_code == 1 && stolen.text.contains("KEY_REVOKED"), "{}", stolen.text);
         assert_eq!(revoke("yesterday", "ceased").unwrap_err().kind, Kind::Usage);
+        // Nothing makes a compromise less, and what was refused is not told as done.
+        let told = || crate::audit::events::list(&data.path().join("ledger/orb-ledger.jsonl")).unwrap();
+        let before = told().matches("key.revoke ").count();
+        assert_eq!(revoke("2025-10-01T00:00:00.000Z", "superseded").unwrap_err().kind, Kind::Usage);
+        assert_eq!(verified().exit_code, 1);
+        assert!(trust(&["revoke", &"0".repeat(64), "--reason", "ceased"]).is_err());
+        assert_eq!(told().matches("key.revoke ").count(), before);
         let changed = orb_audit(&data, &["verify", out, "--trust-store", pinned]).unwrap_err();
         assert!(changed.found.contains("TRUST_STORE_CHANGED"), "{changed}");
     }

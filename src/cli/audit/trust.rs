@@ -179,11 +179,13 @@ fn revoke(args: &RevokeArgs, data: &DataFolder) -> Result<Outcome> {
     if time::parse_utc(&from).is_none() {
         return Err(Error::usage("--from").expected("a time like 2026-11-21T08:00:00.000Z").found(format!("{from:?}")));
     }
+    let revocation = Revocation { from: from.clone(), reason: args.reason };
+    trust::check_revoke(data, &args.fingerprint, &revocation)?;
     // Said before it takes effect: this user's own key may be the one.
     let revoked = Happened::new("key.revoke", "orb audit key trust revoke", argv::caller());
     let reason = format!("{:?}", args.reason).to_lowercase();
     let revoked = revoked.to("key_fingerprint", &args.fingerprint).to("from", &from).to("reason", reason);
     events::log(data, &revoked)?;
-    trust::revoke(data, &args.fingerprint, Revocation { from: from.clone(), reason: args.reason })?;
+    trust::revoke(data, &args.fingerprint, revocation)?;
     Ok(Outcome { text: format!("revoked from {from}: {}\n", args.fingerprint), exit_code: 0 })
 }
