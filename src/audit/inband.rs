@@ -17,9 +17,15 @@
 //! | JPEG 2000 | `CLASSIFICATION: …` in an XML box |
 //! | HTML | the banners at its top and bottom, as reports have them |
 //! | `orb-marking.json` | its `banner` |
-//! | JPEG, TIFF (read only) | `CLASSIFICATION: …` in comments, EXIF and XMP; SecurityClassification (TIFF/EP, 0x9212) |
+//! | JPEG, TIFF, PNG, WebP as photos (read only) | `CLASSIFICATION: …` in comments, EXIF and XMP; SecurityClassification (TIFF/EP, 0x9212) |
+//!
+//! What Orb writes has the carrier of its name; what it reads as a photo has that of its contents, as the decoder goes by them.
 //!
 //! Metadata is easily stripped: the digest in the record is the proof, the marking inside is for the reader.
+
+use std::io::Cursor;
+
+use image::{ImageDecoder as _, ImageFormat, ImageReader};
 
 use super::canonical::Json;
 use super::marking::{LINE_PREFIX, MAX_BANNER, Marking};
@@ -69,18 +75,18 @@ pub fn read(name: &str, bytes: &[u8]) -> Carried {
     if found.is_empty() { Carried::Nothing { required } } else { Carried::Banners(found) }
 }
 
-/// What a file is marked: the join of every banner in it, none where there is none.
+/// What a file is marked: the join of every banner in it, none where there is none. Photos are known by their contents, other
+/// files by their name's ending.
 ///
 /// # Errors
 /// As [`Marking::parse`].
 pub fn marking(name: &str, bytes: &[u8]) -> Result<Option<Marking>> {
-    match read(name, bytes) {
-        Carried::Banners(banners) => {
-            let all = banners.iter().map(|b| Marking::read(b)).collect::<Result<Vec<_>>>()?;
-            Ok(Some(Marking::join_all(&all)))
-        }
-        Carried::Nothing { .. } | Carried::NoCarrier => Ok(None),
-    }
+    let banners = photo(bytes).unwrap_or_else(|| match read(name, bytes) {
+        Carried::Banners(banners) => banners,
+        Carried::Nothing { .. } | Carried::NoCarrier => Vec::new(),
+    });
+    let all = banners.iter().map(|b| Marking::read(b)).collect::<Result<Vec<_>>>()?;
+    Ok((!all.is_empty()).then(|| Marking::join_all(&all)))
 }
 
 /// True for names whose files are worth reading for a marking.
@@ -162,18 +168,60 @@ fn ply(bytes: &[u8]) -> Vec<String> {
 /// iTXt chunks: keyword, NUL, compression flag and method, language, NUL, translated keyword, NUL, UTF-8 text.
 fn png(bytes: &[u8]) -> Vec<String> {
     let mut found = Vec::new();
-    let mut rest = bytes.strip_prefix(PNG_SIGNATURE).unwrap_or_default();
-    while let Some((head, tail)) = rest.split_at_checked(8) {
-        let length = u32::from_be_bytes([head[0], head[1], head[2], head[3]]) as usize;
-        let Some(data) = tail.get(..length) else { break };
-        if &head[4..8] == b"iTXt"
+    for (kind, data) in png_chunks(bytes) {
+        if kind == b"iTXt"
             && let Some(text) = data.strip_prefix(PNG_KEYWORD.as_bytes()).and_then(|d| d.strip_prefix(&[0, 0, 0]))
         {
             let text = text.splitn(3, |b| *b == 0).nth(2).unwrap_or_default();
             found.push(String::from_utf8_lossy(text).into_owned());
         }
+    }
+    found
+}
+
+/// Type and data of each chunk: length, type, data, check sum.
+fn png_chunks(bytes: &[u8]) -> Vec<(&[u8], &[u8])> {
+    let mut chunks = Vec::new();
+    let mut rest = bytes.strip_prefix(PNG_SIGNATURE).unwrap_or_default();
+    while let Some((head, tail)) = rest.split_at_checked(8) {
+        let length = u32::from_be_bytes([head[0], head[1], head[2], head[3]]) as usize;
+        let Some(data) = tail.get(..length) else { break };
+        chunks.push((&head[4..8], data));
         rest = tail.get(length + 4..).unwrap_or_default();
     }
+    chunks
+}
+
+/// Every banner in a photo, whatever its file is called; `None` for what is none.
+fn photo(bytes: &[u8]) -> Option<Vec<String>> {
+    let format = image::guess_format(bytes).ok()?;
+    let mut found = match format {
+        ImageFormat::Jpeg => jpeg(bytes),
+        ImageFormat::Png => png(bytes),
+        ImageFormat::Tiff => tiff(bytes),
+        ImageFormat::WebP => Vec::new(),
+        _ => return None,
+    };
+    if format == ImageFormat::Png {
+        found.extend(png_chunks(bytes).into_iter().flat_map(|(kind, data)| match kind {
+            b"tEXt" | b"iTXt" => lines_in(data),
+            b"eXIf" => exif_block(data),
+            _ => Vec::new(),
+        }));
+    }
+    // Where the position is read from: also XMP that is packed, and the chunks of WebP.
+    if let Ok(mut decoder) = ImageReader::with_format(Cursor::new(bytes), format).into_decoder() {
+        found.extend(decoder.exif_metadata().ok().flatten().iter().flat_map(|block| exif_block(block)));
+        found.extend(decoder.xmp_metadata().ok().flatten().iter().flat_map(|packet| lines_in(packet)));
+    }
+    Some(found)
+}
+
+/// Texts and SecurityClassification of an EXIF block, with or without the words that JPEG has before it.
+fn exif_block(block: &[u8]) -> Vec<String> {
+    let tags = block.strip_prefix(b"Exif\0\0").unwrap_or(block).to_vec();
+    let mut found = lines_in(block);
+    found.extend(security_classification(exif::Reader::new().read_raw(tags).ok()));
     found
 }
 
@@ -246,21 +294,26 @@ const TRAILING: [char; 3] = [' ', ',', '-'];
 fn jpeg(bytes: &[u8]) -> Vec<String> {
     let mut found = Vec::new();
     let mut rest = bytes.strip_prefix(&[0xff, 0xd8]).unwrap_or_default();
-    while let [0xff, kind, a, b, ..] = *rest {
-        let length = usize::from(u16::from_be_bytes([a, b])).max(2);
-        let Some(body) = rest.get(4..2 + length) else { break };
+    // Any number of 0xFF may stand before a marker (B.1.1.2), and decoders pass over other bytes there too.
+    while let Some(at) = rest.windows(2).position(|w| w[0] == 0xff && !matches!(w[1], 0x00 | 0xff)) {
+        let kind = rest[at + 1];
+        rest = &rest[at + 2..];
         match kind {
-            // Start of scan: from here on there are pixels.
-            0xda => break,
-            0xe0..=0xef | 0xfe => {
-                found.extend(lines_in(body));
-                if let Some(block) = body.strip_prefix(b"Exif\0\0") {
-                    found.extend(security_classification(exif::Reader::new().read_raw(block.to_vec()).ok()));
-                }
-            }
+            // Start of scan, after which there are pixels, or the end.
+            0xda | 0xd9 => break,
+            // These stand alone (B.1.1.3).
+            0x01 | 0xd0..=0xd8 => continue,
             _ => {}
         }
-        rest = &rest[2 + length..];
+        let [a, b, ..] = *rest else { break };
+        let length = usize::from(u16::from_be_bytes([a, b])).max(2);
+        let Some(body) = rest.get(2..length) else { break };
+        match kind {
+            0xe0..=0xef | 0xfe if body.starts_with(b"Exif\0\0") => found.extend(exif_block(body)),
+            0xe0..=0xef | 0xfe => found.extend(lines_in(body)),
+            _ => {}
+        }
+        rest = &rest[length..];
     }
     found
 }
@@ -411,20 +464,66 @@ mod tests {
         assert!(mismatch_in_store("a.zip", &zip, &Marking::SECRET).is_some());
     }
 
+    /// An EXIF block of one text.
+    fn block(tag: u16, text: &str) -> Vec<u8> {
+        use exif::{Context, Field, In, Tag, Value, experimental::Writer};
+        let field = Field {
+            tag: Tag(Context::Tiff, tag),
+            ifd_num: In::PRIMARY,
+            value: Value::Ascii(vec![text.as_bytes().to_vec()]),
+        };
+        let (mut writer, mut out) = (Writer::new(), std::io::Cursor::new(Vec::new()));
+        writer.push_field(&field);
+        writer.write(&mut out, true).unwrap();
+        out.into_inner()
+    }
+
+    /// A photo is decoded by what stands in it, so its marking is looked for there, and not where its name says.
+    #[test]
+    fn a_photo_has_the_carriers_of_its_contents() {
+        use image::ImageEncoder as _;
+        let of = |name: &str, bytes: &[u8]| marking(name, bytes).unwrap().map(|m| m.banner());
+        let segment =
+            |kind: u8, body: &[u8]| [&[0xff, kind][..], &((body.len() + 2) as u16).to_be_bytes(), body].concat();
+        let pixels = image::RgbImage::from_pixel(8, 8, image::Rgb([1, 2, 3]));
+        let mut plain = Vec::new();
+        image::codecs::jpeg::JpegEncoder::new(&mut plain).encode_image(&pixels).unwrap();
+        let with = |more: &[u8]| [&plain[..2], more, &plain[2..]].concat();
+        let comment = segment(0xfe, b"CLASSIFICATION: SECRET");
+        for name in ["x.jpg", "x.jfif", "x.png", "x.ply", "x", ""] {
+            assert_eq!(of(name, &with(&comment)).as_deref(), Some("SECRET"), "{name:?}");
+            assert_eq!(of(name, &plain), None, "{name:?}");
+        }
+        // What may stand before a segment, or is passed over there.
+        for before in [&[0xff; 3][..], &[0xff, 0x01], &[0xff, 0xd0], b"\0\0x"] {
+            let bytes = with(&[before, &segment(0xe1, b"x"), before, &comment].concat());
+            assert_eq!(of("x.jpg", &bytes).as_deref(), Some("SECRET"), "{before:x?}");
+        }
+
+        let (exif, xmp) = (block(0x9212, "S"), b"<x>CLASSIFICATION: CUI</x>");
+        let mut png = Vec::new();
+        let mut encoder = image::codecs::png::PngEncoder::new(&mut png);
+        encoder.set_exif_metadata(exif.clone()).unwrap();
+        encoder.write_image(&pixels, 8, 8, image::ExtendedColorType::Rgb8).unwrap();
+        assert_eq!(of("x.jpg", &png).as_deref(), Some("SECRET"));
+        let chunk = [&b"iTXtXML:com.adobe.xmp\0\0\0\0\0"[..], xmp].concat();
+        let length = (chunk.len() as u32 - 4).to_be_bytes();
+        let plain = png_of(8);
+        // After the header: signature, length, type, 13 bytes, check sum.
+        let png = [&plain[..33], &length, &chunk, &crc32(&chunk).to_be_bytes(), &plain[33..]].concat();
+        assert_eq!((of("x.png", &png).as_deref(), of("x.png", &plain)), (Some("CUI"), None));
+
+        let mut webp = Vec::new();
+        let mut encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut webp);
+        encoder.set_exif_metadata(exif).unwrap();
+        encoder.write_image(&pixels, 8, 8, image::ExtendedColorType::Rgb8).unwrap();
+        assert_eq!(of("x.webp", &webp).as_deref(), Some("SECRET"));
+        assert_eq!(of("x.tiff", &block(0x9212, "C")).as_deref(), Some("CONFIDENTIAL"));
+        assert_eq!(of("x", &block(0x9212, "C")).as_deref(), Some("CONFIDENTIAL"));
+    }
+
     #[test]
     fn photos_and_terrains_are_read() {
-        use exif::{Context, Field, In, Tag, Value, experimental::Writer};
-        let block = |tag: u16, text: &str| {
-            let field = Field {
-                tag: Tag(Context::Tiff, tag),
-                ifd_num: In::PRIMARY,
-                value: Value::Ascii(vec![text.as_bytes().to_vec()]),
-            };
-            let (mut writer, mut out) = (Writer::new(), std::io::Cursor::new(Vec::new()));
-            writer.push_field(&field);
-            writer.write(&mut out, true).unwrap();
-            out.into_inner()
-        };
         let segment =
             |kind: u8, body: &[u8]| [&[0xff, kind][..], &((body.len() + 2) as u16).to_be_bytes(), body].concat();
         let jpeg =

@@ -462,7 +462,7 @@ pub(crate) fn judge(args: &GeoArgs, utc: &str) -> Result<crate::audit::Marking> 
     let photo = read_photo(&plan.photo, limits.file_bytes)?;
     let (exif, _) = crate::photo::metadata(&plan.stem, &photo, &limits)?;
     plan.wanted.check(&exif)?;
-    let carried = super::marking::carried(&plan.stem, &photo)?;
+    let carried = super::marking::carried(&super::photos::name_of(&plan.photo), &photo)?;
     Ok(args.publish.marking.decide(&[carried], utc)?.marking)
 }
 

@@ -215,7 +215,8 @@ impl Front {
     }
 }
 
-fn name_of(path: &Path) -> String {
+/// The file's own name, without its folder.
+pub(super) fn name_of(path: &Path) -> String {
     path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
 }
 

@@ -5,8 +5,31 @@ use axum::http::Request;
 use serde_json::{Value, json};
 
 use super::fixture::*;
+use crate::audit::Marking;
 
-on_both!(markings_and_ceilings);
+on_both!(markings_and_ceilings, a_marking_inside_a_photo);
+
+/// What stands in a photo counts as if it were said, whatever the file is called; nothing of it is kept.
+fn a_marking_inside_a_photo(on: On) {
+    let mut jpeg = Vec::new();
+    image::codecs::jpeg::JpegEncoder::new(&mut jpeg).encode_image(&image::RgbImage::new(64, 64)).unwrap();
+    let words = b"CLASSIFICATION: CUI";
+    jpeg.splice(2..2, [&[0xff, 0xfe, 0, words.len() as u8 + 2][..], words].concat());
+    for (ceiling, code) in [("UNCLASSIFIED", "ABOVE_SERVER_CEILING"), ("SECRET", "ABOVE_CEILING")] {
+        let mut fixture = Fixture::new(on);
+        std::sync::Arc::get_mut(&mut fixture.server).unwrap().ceiling = Marking::parse(ceiling).unwrap();
+        let low = As::from(fixture.account("low", "operator", "UNCLASSIFIED").as_str());
+        let send = |name: &str, bytes: &[u8]| fixture.submit(&low, &[("origin", "34.5,-118.4,740")], &[(name, bytes)]);
+        for name in ["van.jpg", "van.jfif", "van.png", "van"] {
+            let answer = send(name, &jpeg);
+            assert_eq!((answer.status.as_u16(), &answer.json()["code"]), (403, &json!(code)), "{name}");
+        }
+        assert_eq!(fixture.get("/api/v1/jobs", &low).json()["jobs"], json!([]));
+        assert_eq!(fixture.server.database.unfinished("low").unwrap().0, 0);
+        // A photo without such words is taken.
+        assert_eq!(send("van.jpg", &photo(64, 64)).status, 201);
+    }
+}
 
 fn markings_and_ceilings(on: On) {
     let fixture = Fixture::new(on);
