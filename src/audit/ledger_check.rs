@@ -333,8 +333,21 @@ impl<'a> Walk<'a> {
                     .actual(format!("{} records", self.tree.size()))
             })
             .collect();
+        let was_cut = !cut.is_empty();
         for finding in cut {
             self.find(finding);
+        }
+        if self.report.counts.records == 0 {
+            // Also of a ledger whose first record could not be written: it shows as little as none.
+            if !was_cut {
+                let mut finding =
+                    Finding::new("RECORD_MISSING", "ledger").expected("at least one record").actual("none");
+                finding.hint = "Nothing is known from a ledger without records. Look for a copy that has them.".into();
+                self.find(finding);
+            }
+            if self.request.require_anchor {
+                self.find(Finding::new("ANCHOR_REQUIRED", "ledger"));
+            }
         }
         let last = self.before.as_ref().map(|b| b.predicate.chain.seq);
         if let Some(before) = &self.before {

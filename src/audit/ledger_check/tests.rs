@@ -136,6 +136,24 @@ fn a_cut_tail_is_seen_by_whoever_kept_a_checkpoint() {
     );
 }
 
+/// Without a head and a checkpoint nothing tells of the records that were there, but no verdict is a good one.
+#[test]
+fn an_emptied_ledger_has_no_verdict() {
+    let (_dir, path) = ledger(3);
+    let kept = checkpoint(&path, "kept.dsse.json");
+    fs::write(&path, "").unwrap();
+    fs::remove_file(path.with_file_name("head.json")).unwrap();
+    let report = check_with(&path, &[], false);
+    assert_eq!((codes(&report), report.exit_code), (vec!["RECORD_MISSING"], 3), "{}", report.to_text());
+    let report = check_with(&path, &[], true);
+    assert_eq!((codes(&report), report.exit_code), (vec!["ANCHOR_REQUIRED", "RECORD_MISSING"], 3));
+    assert_eq!(codes(&check_with(&path, &[kept], false)), ["TRUNCATED"]);
+    // Half a record is none.
+    fs::write(&path, "{\"payload").unwrap();
+    let report = check_with(&path, &[], false);
+    assert_eq!((codes(&report), report.exit_code), (vec!["INCOMPLETE_APPEND", "RECORD_MISSING"], 3));
+}
+
 #[test]
 fn a_rewrite_by_the_key_holder_is_a_fork() {
     let (_dir, path) = ledger(3);
