@@ -79,6 +79,7 @@ pub fn verify(request: &Request<'_>) -> Result<Report> {
         let is_pair = statement.as_ref().is_some_and(|s| s.predicate.actor.co_signers.is_some());
         check_seal_files(request.folder, &envelope, is_pair, &mut found)?;
         if let Some(statement) = statement {
+            check_chain_file(request.folder, &statement, &mut found)?;
             check_fields(&statement, trust, &signers, stamp, request.now_ms, &mut found);
             if request.policy.require_time_sync {
                 // Said once, as what it is under this policy.
@@ -247,6 +248,38 @@ fn check_seal_files(folder: &Path, envelope: &Envelope, is_pair: bool, found: &m
         if !same {
             found.push(Finding::new("SEAL_FILE_MISMATCH", name).expected(format!("the same as in {RECORD}")));
         }
+    }
+    Ok(())
+}
+
+/// The certificates beside the record must be those whose digests it states, also for who trusts the key itself: others read
+/// in them whose it is.
+fn check_chain_file(folder: &Path, statement: &Statement, found: &mut Vec<Finding>) -> Result<()> {
+    let path = folder.join(RECORD_CHAIN);
+    let stated = statement.predicate.actor.cert_chain_sha256.as_ref();
+    let metadata = match (fs::symlink_metadata(&path), stated) {
+        (Err(_), None) => return Ok(()),
+        (Err(_), Some(stated)) => {
+            let mut finding = Finding::new("SEAL_FILE_MISSING", RECORD_CHAIN).expected(stated.join(" "));
+            (finding.severity, finding.verdict) = (Severity::Error, Verdict::Incomplete);
+            finding.hint =
+                "The record names these certificates as its signer's. Take them from its source again.".into();
+            found.push(finding);
+            return Ok(());
+        }
+        // The walk over the folder reports it.
+        (Ok(metadata), _) if !metadata.is_file() => return Ok(()),
+        (Ok(metadata), _) => metadata,
+    };
+    let text = match metadata.len() {
+        0..=pem::MAX_BYTES => disk::read_limited(&path, pem::MAX_BYTES)?,
+        _ => Vec::new(),
+    };
+    let text = String::from_utf8_lossy(&text);
+    let same = CertChain::from_pem(&text).is_ok_and(|c| c.to_pem() == text && Some(&c.sha256()) == stated);
+    if !same {
+        let stated = stated.map_or_else(|| String::from("no certificates"), |s| s.join(" "));
+        found.push(Finding::new("SEAL_FILE_MISMATCH", RECORD_CHAIN).expected(format!("{stated}, as in {RECORD}")));
     }
     Ok(())
 }

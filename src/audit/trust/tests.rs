@@ -358,10 +358,23 @@ fn a_folder_and_a_ledger_signed_under_an_authority() {
     fs::write(out.join(RECORD_CHAIN), [&chain, &fs::read_to_string(pki.path("root.pem")).unwrap()[..]].concat())
         .unwrap();
     assert!(codes(&check(&trust)).contains(&"SIGNER_MISMATCH"));
+    // Also where the key is trusted itself, and nobody asks whose it is.
+    let mut direct = TrustStore::default();
+    direct.insert(shared_key().public().clone());
+    let plain = || verify(&Request::new(&out, &direct, now_ms)).unwrap();
+    let garbled = chain.replacen("-----BEGIN", "-----BEGUN", 1);
+    for other in [garbled, fs::read_to_string(pki.path("leaf.pem")).unwrap(), format!("{chain}\n"), String::new()] {
+        fs::write(out.join(RECORD_CHAIN), other).unwrap();
+        let report = plain();
+        assert!(report.exit_code == 1 && codes(&report).contains(&"SEAL_FILE_MISMATCH"), "{}", report.to_text());
+    }
     fs::remove_file(out.join(RECORD_CHAIN)).unwrap();
+    let report = plain();
+    assert!(report.exit_code == 3 && codes(&report).contains(&"SEAL_FILE_MISSING"), "{}", report.to_text());
     assert!(codes(&check(&trust)).contains(&"KEY_UNTRUSTED"));
     // OpenSSL agrees about the path, by the commands that Orb prints.
     fs::write(out.join(RECORD_CHAIN), &chain).unwrap();
+    assert_eq!(plain().exit_code, 0, "{}", plain().to_text());
     let commands = openssl_commands(&out, Beside::default()).unwrap();
     let commands = commands.replace("AUTHORITY.pem", "../root.pem");
     let done = std::process::Command::new("sh").args(["-e", "-c", &commands]).output().unwrap();
