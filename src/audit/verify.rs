@@ -130,6 +130,28 @@ pub fn read_record(folder: &Path) -> Result<(Envelope, Statement)> {
     Ok((envelope, statement))
 }
 
+/// Refuses a record that is not the one that was verified: it was read apart, and its file may have been exchanged between.
+///
+/// # Errors
+/// [`crate::Kind::Integrity`].
+pub fn check_same(folder: &Path, report: &Report, envelope: &Envelope) -> Result<()> {
+    // Of a record that no trusted key signed, nothing was said.
+    let Some(verified) = &report.trail_hash else { return Ok(()) };
+    let same = Statement::parse_and_hash(&envelope.payload).is_ok_and(|(statement, _, computed)| {
+        let is_right = computed == *verified || report.findings.iter().any(|f| f.code == "TRAIL_HASH_MISMATCH");
+        statement.predicate.trail_hash.as_ref() == Some(verified) && is_right
+    });
+    if same { Ok(()) } else { Err(changed(&folder.join(RECORD), verified)) }
+}
+
+/// What was read is not what was verified a moment before.
+pub fn changed(path: &Path, trail_hash: &str) -> Error {
+    Error::integrity(path.display().to_string())
+        .expected(format!("the record with the trail hash {trail_hash}, which was verified"))
+        .found("another one: it was changed while it was read")
+        .advice("Run the command again when nothing else writes there.")
+}
+
 fn read_envelope(folder: &Path, found: &mut Vec<Finding>) -> Result<Option<Envelope>> {
     let path = folder.join(RECORD);
     match fs::symlink_metadata(&path) {

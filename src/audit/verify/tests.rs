@@ -119,6 +119,34 @@ fn the_report_as_json() {
     assert!(value["trust_store_sha256"].as_str().unwrap().len() == 64);
 }
 
+/// A record that is read apart from its verification has to be the same one.
+#[test]
+fn a_record_exchanged_after_its_verification() {
+    let (_dir, out) = published();
+    let report = check(&out);
+    check_same(&out, &report, &read_record(&out).unwrap().0).unwrap();
+    let stated = report.trail_hash.clone().unwrap();
+    forge(&out, shared_key(), |v| v["predicate"]["params"] = json!({"seed": 8}));
+    let error = check_same(&out, &report, &read_record(&out).unwrap().0).unwrap_err();
+    assert!(error.kind == Kind::Integrity && error.found.contains("changed while it was read"), "{error}");
+    // The verified one's trail hash on other words.
+    let mut value = payload(&out);
+    value["predicate"]["trail_hash"] = json!(stated);
+    sign_payload(&out, &serde_json_canonicalizer::to_vec(&value).unwrap(), "nobody", other_key());
+    assert!(check_same(&out, &report, &read_record(&out).unwrap().0).is_err());
+    // Nothing was said of it, so there is nothing to compare.
+    let unknown = verify(&request(&out, &TrustStore::default())).unwrap();
+    check_same(&out, &unknown, &read_record(&out).unwrap().0).unwrap();
+}
+
+/// Certificates beside a record that names none.
+#[test]
+fn certificates_of_nobody() {
+    let (_dir, out) = published();
+    fs::write(out.join(RECORD_CHAIN), "-----BEGIN CERTIFICATE-----\nAAAA\n-----END CERTIFICATE-----\n").unwrap();
+    assert_eq!((codes(&check(&out)), check(&out).exit_code), (vec!["SEAL_FILE_MISMATCH"], 1));
+}
+
 /// One changed byte anywhere: exit 1, and a finding that names the file.
 #[test]
 fn one_changed_byte_is_found_in_every_file() {

@@ -8,7 +8,7 @@ use super::Outcome;
 use crate::audit::disk::Disk;
 use crate::audit::interchange::{civium, oscal, slsa};
 use crate::audit::report::Verdict;
-use crate::audit::verify::{Request, read_record, verify};
+use crate::audit::verify::{Request, check_same, read_record, verify};
 use crate::audit::{DataFolder, TrustStore, events, time};
 use crate::cli::argv;
 use crate::{Error, Result};
@@ -48,6 +48,7 @@ pub fn run(args: &ExportArgs, data: &DataFolder) -> Result<Outcome> {
         return Ok(Outcome { text: report.to_text(), exit_code: report.exit_code });
     }
     let (envelope, statement) = read_record(&args.folder)?;
+    check_same(&args.folder, &report, &envelope)?;
     let value = match args.system {
         System::Oscal => oscal::assessment_results(&report, &statement, &time::format_utc(now_ms)),
         System::Slsa => slsa::provenance(&statement),

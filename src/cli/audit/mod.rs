@@ -204,12 +204,13 @@ pub fn verify(args: &VerifyArgs, data: &DataFolder) -> Result<Outcome> {
 
 /// The record, and whether it can be believed. The exit code is the verification's: what is shown may be forged.
 pub fn show(args: &ShowArgs, data: &DataFolder) -> Result<Outcome> {
-    let (_, statement) = verify::read_record(&args.folder)?;
+    let (envelope, statement) = verify::read_record(&args.folder)?;
     let json = statement
         .to_json()
         .map_err(|f| Error::integrity(args.folder.display().to_string()).found(f.detail().to_owned()))?;
     let trust = TrustStore::load(data, &args.trust_key)?;
     let report = verify::verify(&Request::new(&args.folder, &trust, time::now()?.unix_ms))?;
+    verify::check_same(&args.folder, &report, &envelope)?;
     let unserialisable = |e: serde_json::Error| Error::integrity("record").found(e.to_string());
     let text = if args.json {
         format!("{}\n", serde_json::to_string(&json).map_err(unserialisable)?)

@@ -1,14 +1,14 @@
 //! `orb audit report`: a verification as a document, signed and recorded where that is asked for.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use super::Outcome;
 use super::ledger::ledger_path;
 use crate::audit::disk::{self, Disk};
-use crate::audit::dsse::MAX_ENVELOPE_BYTES;
+use crate::audit::dsse::{Envelope, MAX_ENVELOPE_BYTES};
 use crate::audit::evidence::{Evidence, to_html, to_junit, to_markdown, to_sarif};
 use crate::audit::ledger_check::{LedgerRequest, verify_ledger};
 use crate::audit::marking::handling::Handling;
@@ -16,7 +16,7 @@ use crate::audit::publication::RECORD;
 use crate::audit::report::Report;
 use crate::audit::statement::{Input, Param, Statement};
 use crate::audit::trust::{self, CertChain};
-use crate::audit::verify::{Request, read_record, verify};
+use crate::audit::verify::{Request, changed, check_same, read_record, verify};
 use crate::audit::{DataFolder, Ledger, Marking, Policy, TrustStore, allowed, events, ledger, record, time};
 use crate::cli::argv;
 use crate::cli::sealed::{Evidence as Sealing, PublishArgs, SealedRun};
@@ -106,8 +106,13 @@ fn verified(args: &ReportArgs, data: &DataFolder) -> Result<Verified> {
     let policy = Policy { models: allowed.as_deref(), ..Policy::default() };
     if let Some(folder) = &args.folder {
         let request = Request { inputs: &args.input, policy, ..Request::new(folder, &trust, as_of_ms) };
-        let (report, records) = (verify(&request)?, vec![read_record(folder)?.1]);
-        let bytes = disk::read_limited(&folder.join(RECORD), MAX_ENVELOPE_BYTES as u64)?;
+        let (report, (envelope, statement)) = (verify(&request)?, read_record(folder)?);
+        check_same(folder, &report, &envelope)?;
+        let (path, records) = (folder.join(RECORD), vec![statement]);
+        let bytes = disk::read_limited(&path, MAX_ENVELOPE_BYTES as u64)?;
+        if !Envelope::parse(&bytes).is_ok_and(|again| again == envelope) {
+            return Err(changed(&path, report.trail_hash.as_deref().unwrap_or_default()));
+        }
         let read = Some(record::input(RECORD, &bytes, "application/json", "record", None));
         let chains = trust::chains_in(folder)?;
         return Ok(Verified { report, records, as_of_ms, read, trust, chains, allowed });
@@ -133,8 +138,20 @@ fn verified(args: &ReportArgs, data: &DataFolder) -> Result<Verified> {
     };
     // A chain that is broken has no facts to show beside its findings.
     let (report, records) = (verify_ledger(&request)?, Ledger::at(ledger.clone()).read_chain().unwrap_or_default());
+    let records = verified_part(records, &report, &ledger)?;
     let chains = trust::chains_in(&ledger::chains_beside(&ledger))?;
     Ok(Verified { report, records, as_of_ms, read, trust, chains, allowed })
+}
+
+/// The records that were verified, of those that were read apart: what was appended meanwhile is no part of the report. In a
+/// chain, where the last one is the same, all are.
+fn verified_part(mut records: Vec<Statement>, report: &Report, ledger: &Path) -> Result<Vec<Statement>> {
+    let (Some(range), Some(verified)) = (report.range, &report.trail_hash) else { return Ok(records) };
+    records.truncate(usize::try_from(range.last).map_or(usize::MAX, |last| last.saturating_add(1)));
+    match records.last() {
+        Some(last) if last.predicate.trail_hash.as_ref() != Some(verified) => Err(changed(ledger, verified)),
+        _ => Ok(records),
+    }
 }
 
 fn written(form: Form, args: &ReportArgs, verified: &Verified) -> Result<String> {
@@ -373,6 +390,36 @@ mod tests {
         let (_, statement) = read_record(&dir.path().join("of-ledger")).unwrap();
         assert_eq!(statement.predicate.inputs[0].role, "ledger");
         assert!(events::list(&ledger_path(None, &data)).unwrap().contains("report.publish     success"));
+    }
+
+    /// The records of a ledger's report are those that its verification saw.
+    #[test]
+    fn a_ledger_that_grows_or_is_exchanged_meanwhile() {
+        use crate::audit::publication::tests::{destination, fill, ledger};
+        let dir = tempfile::tempdir().unwrap();
+        publish(dir.path());
+        let mut trust = TrustStore::default();
+        trust.insert(shared_key().public().clone());
+        let path = ledger(dir.path()).path().to_path_buf();
+        let request = LedgerRequest {
+            ledger: &path,
+            trust: &trust,
+            checkpoints: &[],
+            require_anchor: false,
+            now_ms: 1_763_700_000_000,
+            strict: false,
+            policy: Policy::default(),
+        };
+        let report = verify_ledger(&request).unwrap();
+        let mut publication = crate::audit::Publication::begin(&destination(&dir.path().join("more"))).unwrap();
+        fill(&mut publication).unwrap();
+        publication.seal(&record::tests::draft(), shared_key(), &mut ledger(dir.path())).unwrap();
+        let records = ledger(dir.path()).read_chain().unwrap();
+        let kept = verified_part(records.clone(), &report, &path).unwrap();
+        assert_eq!((records.len(), kept), (2, records[..1].to_vec()));
+        let other = Report { trail_hash: Some("0".repeat(64)), ..report };
+        assert!(verified_part(records, &other, &path).unwrap_err().found.contains("changed while it was read"));
+        assert!(verified_part(Vec::new(), &other, &path).unwrap().is_empty(), "a broken chain has no facts to show");
     }
 
     /// A report takes the marking of what it shows, its blocks too, and is signed by a key that may sign that.
