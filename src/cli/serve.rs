@@ -29,7 +29,7 @@ use crate::serve::{Clock, Limits, Server, api};
 use crate::view::webgl::Script;
 use crate::web::listen;
 use crate::{Error, Result};
-use database::DataArgs;
+use database::{DataArgs, Opened};
 
 /// Connections at once.
 const CONNECTIONS: usize = 512;
@@ -252,7 +252,7 @@ fn account(verb: &AccountVerb) -> Result<u8> {
     | Unbind { data: args, .. }
     | Token { data: args, .. }) = verb;
     let data = args.folder()?;
-    let (database, _) = args.database(&Place::open(&data)?)?;
+    let database = args.database(&Place::open(&data)?)?.database;
     let recorder = Recorder::new(data, "orb serve account", super::argv::caller());
     let now = time::now()?.unix_ms;
     let by = By { database: &database, recorder: &recorder, actor: None, now };
@@ -334,8 +334,9 @@ fn serve(args: &ServeArgs, stop: &AtomicBool) -> Result<u8> {
     let data = args.data.folder()?;
     let place = Place::open(&data)?;
     let _only = place.lock()?;
-    let (database, kept_in) = args.data.database(&place)?;
+    let Opened { database, words: kept_in, home } = args.data.database(&place)?;
     database.hold()?;
+    place.keep_database(&home)?;
     let clock: Clock = Arc::new(|| time::now().map(|t| t.unix_ms).unwrap_or_default());
     let server = Arc::new(Server {
         database,

@@ -49,6 +49,7 @@ on_both!(
     results_are_found_by_their_names_alone,
     a_queue_has_an_end_and_jobs_their_order,
     what_was_running_is_put_back_and_given_up_after_some_times,
+    what_was_published_stays_with_a_database_that_does_not_know_it,
     who_comes_from_elsewhere_gets_no_further
 );
 
@@ -398,6 +399,24 @@ fn what_was_running_is_put_back_and_given_up_after_some_times(on: On) {
     fixture.ask("POST", &format!("/api/v1/jobs/{second}/cancel"), &jane, None);
     runner::recover(server).unwrap();
     assert_eq!(server.database.job(&second).unwrap().unwrap().state, State::Cancelled);
+}
+
+fn what_was_published_stays_with_a_database_that_does_not_know_it(on: On) {
+    let fixture = Fixture::new(on);
+    let jane = As::from(fixture.account("jane", "operator", "SECRET").as_str());
+    let published = fixture.submitted(&jane);
+    assert_eq!(fixture.finish(&[("scene.ply", b"ply")]), published);
+    let place = &fixture.server.place;
+    let [half, stray] = ["a", "b"].map(|c| c.repeat(32));
+    // A run that was killed, and half a removal, published nothing that anyone has to keep.
+    std::fs::create_dir_all(place.run(&half, 1).join(".out.staging")).unwrap();
+    std::fs::create_dir_all(place.incoming(&stray).join("run-1/out")).unwrap();
+    let mut other = Fixture::new(on);
+    std::sync::Arc::get_mut(&mut other.server).unwrap().place = place.clone();
+    runner::recover(&other.server).unwrap();
+    assert_eq!(std::fs::read(place.published(&published, 1).join("scene.ply")).unwrap(), b"ply");
+    assert!(place.job(&published).join("in").exists());
+    assert!(!place.job(&half).exists() && !place.incoming(&stray).exists());
 }
 
 fn who_comes_from_elsewhere_gets_no_further(on: On) {

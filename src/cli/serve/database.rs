@@ -10,7 +10,7 @@ use crate::audit::{DataFolder, time};
 use crate::cli::key::PassphraseSource;
 use crate::serve::database::Database;
 use crate::serve::database::postgres::{Address, OPTION};
-use crate::serve::place::Place;
+use crate::serve::place::{POSTGRES, Place, SQLITE};
 use crate::{Error, Result};
 
 /// In place of `--database`.
@@ -47,6 +47,15 @@ fn variable(name: &str) -> Result<Option<Zeroizing<String>>> {
     }
 }
 
+/// The database, and what it is called.
+pub struct Opened {
+    pub database: Database,
+    /// In the ledger.
+    pub words: String,
+    /// In the folder, which stays with it whoever asks.
+    pub home: String,
+}
+
 impl DataArgs {
     pub fn folder(&self) -> Result<DataFolder> {
         match &self.data {
@@ -55,11 +64,12 @@ impl DataArgs {
         }
     }
 
-    /// Opened or made, with the words for it in the ledger.
+    /// Opened or made.
     ///
     /// # Errors
-    /// As [`Address::new`], [`Database::at`], [`Database::file`]; usage for a password without a database to give it to.
-    pub fn database(&self, place: &Place) -> Result<(Database, String)> {
+    /// As [`Address::new`], [`Database::at`], [`Database::file`], [`Place::check_database`]; usage for a password without a
+    /// database to give it to.
+    pub fn database(&self, place: &Place) -> Result<Opened> {
         let url = match &self.database {
             Some(url) => Some(Zeroizing::new(url.clone())),
             None => variable(ADDRESS)?,
@@ -70,7 +80,12 @@ impl DataArgs {
                     .expected("one, beside --database-password or --database-ca")
                     .found("none"));
             }
-            return Ok((Database::file(&place.database())?, "SQLite".into()));
+            place.check_database(SQLITE)?;
+            return Ok(Opened {
+                database: Database::file(&place.database())?,
+                words: SQLITE.into(),
+                home: SQLITE.into(),
+            });
         };
         let password = match &self.database_password {
             Some(PassphraseSource::Prompt) => {
@@ -81,8 +96,9 @@ impl DataArgs {
         };
         let password = password.as_ref().map(|p| p.as_str());
         let address = Address::new(&url, password, self.database_ca.as_deref(), time::now()?.unix_ms)?;
-        let words = format!("PostgreSQL {}", address.words());
-        Ok((Database::at(address, place.name()?)?, words))
+        let (words, home) = (format!("{POSTGRES} {}", address.words()), format!("{POSTGRES} {}", address.home()));
+        place.check_database(&home)?;
+        Ok(Opened { database: Database::at(address, place.name()?)?, words, home })
     }
 
     /// Variables that are nothing to the processes that runs are.

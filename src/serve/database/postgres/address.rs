@@ -23,7 +23,8 @@ const BETWEEN: Duration = Duration::from_secs(5);
 pub struct Address {
     pub(super) config: Config,
     pub(super) tls: Option<Tls>,
-    words: String,
+    home: String,
+    user: Option<String>,
 }
 
 impl Address {
@@ -51,7 +52,7 @@ impl Address {
         if let Some(password) = password {
             config.password(password);
         }
-        let words = words(&config);
+        let (home, user) = (home(&config), config.get_user().map(str::to_owned));
         let beyond = config.get_hosts().iter().filter(|host| !is_here(host)).map(name);
         let beyond = beyond.chain(config.get_hostaddrs().iter().filter(|a| !a.is_loopback()).map(IpAddr::to_string));
         let beyond: Vec<String> = beyond.collect();
@@ -71,12 +72,18 @@ impl Address {
         config.connect_timeout(CONNECT).tcp_user_timeout(IDLE + 3 * BETWEEN);
         config.keepalives(true).keepalives_idle(IDLE).keepalives_interval(BETWEEN).keepalives_retries(3);
         config.application_name("orb serve");
-        Ok(Address { config, tls, words })
+        Ok(Address { config, tls, home, user })
     }
 
     /// What it is called where anyone may read it.
-    pub fn words(&self) -> &str {
-        &self.words
+    pub fn words(&self) -> String {
+        let user = self.user.as_ref().map(|u| format!(" as {u}")).unwrap_or_default();
+        format!("{}{user}", self.home)
+    }
+
+    /// Where it is and which of the databases there, without who asks it.
+    pub fn home(&self) -> &str {
+        &self.home
     }
 }
 
@@ -96,15 +103,14 @@ fn name(host: &Host) -> String {
     }
 }
 
-fn words(config: &Config) -> String {
+fn home(config: &Config) -> String {
     let hosts: Vec<String> = match config.get_hosts() {
         [] => config.get_hostaddrs().iter().map(IpAddr::to_string).collect(),
         named => named.iter().map(name).collect(),
     };
     let port = config.get_ports().first().map(|p| format!(" port {p}")).unwrap_or_default();
-    let user = config.get_user().map(|u| format!(" as {u}")).unwrap_or_default();
     let database = config.get_dbname().or(config.get_user()).unwrap_or_default();
-    format!("{database:?} at {}{port}{user}", hosts.join(","))
+    format!("{database:?} at {}{port}", hosts.join(","))
 }
 
 #[cfg(test)]
@@ -141,6 +147,7 @@ mod tests {
         let over = over.unwrap();
         assert!(over.tls.is_some() && over.config.get_ssl_mode() == SslMode::Require);
         assert_eq!(over.words(), "\"orb\" at db.example port 5432 as orb");
+        assert_eq!(over.home(), "\"orb\" at db.example port 5432");
     }
 
     #[test]
@@ -157,6 +164,6 @@ mod tests {
             assert!(words.starts_with("--database: expected postgres://") && !words.contains("hunter2"), "{words}");
         }
         let with = Address::new("postgres://orb@localhost/orb", Some("hunter2"), None, 0).unwrap();
-        assert!(!with.words.contains("hunter2") && !format!("{:?}", with.config).contains("hunter2"));
+        assert!(!with.words().contains("hunter2") && !format!("{:?}", with.config).contains("hunter2"));
     }
 }
