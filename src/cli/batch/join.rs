@@ -14,7 +14,7 @@ use crate::audit::disk::{self, Disk};
 use crate::audit::publication::RECORD;
 use crate::audit::statement::{Input, Param, Statement};
 use crate::audit::store_merge::{lock_store, merge_into_store};
-use crate::audit::{Marking, record, time, verify};
+use crate::audit::{DataFolder, Marking, record, time, verify};
 use crate::cli::geo_args;
 use crate::cli::sealed::{Evidence, SealedRun};
 use crate::{Error, Result};
@@ -57,11 +57,15 @@ fn join(plan: &Plan, number: usize, one: &Path) -> Result<()> {
     let listing: String = hashes.iter().map(|(name, sha256)| format!("{sha256}  {name}\n")).collect();
     let contents = sha256_hex(listing.as_bytes());
     let folder = plan.output.join("joined").join(format!("{number:04}"));
+    let (mut files, folders) = what_is_new(one, &entries, &hashes)?;
     if joined_before(&folder).is_some_and(|before| before == contents) {
-        return Ok(());
+        // What the one store has of it and is another by now was changed there since: it stays. What it lacks was lost.
+        files.retain(|f| !one.join(&f.path).exists());
+        if files.is_empty() && folders.is_empty() {
+            return Ok(());
+        }
     }
     let (inputs, rows) = records(plan, shard)?;
-    let (files, folders) = what_is_new(one, &entries, &hashes)?;
     let mut args = geo_args("photo.jpg", &plan.options)?;
     args.publish.replace = folder.is_dir();
     args.publish.quiet = true;
@@ -69,7 +73,8 @@ fn join(plan: &Plan, number: usize, one: &Path) -> Result<()> {
         inputs.iter().map(|i| i.marking.as_deref().map(Marking::parse).transpose()).collect::<Result<Vec<_>>>()?;
     let handling = args.publish.marking.decide(&carried, &time::now()?.utc())?;
     Disk::default().create_dir_all(&plan.output.join("joined"))?;
-    let mut run = SealedRun::begin("orb batch", &folder, handling.clone(), &args.publish)?;
+    let data = DataFolder::at(&plan.data);
+    let mut run = SealedRun::begin_in(data, "orb batch", &folder, handling.clone(), &args.publish)?;
     let said = json!({
         "schema": "orb.batch-join/v1", "marking": handling.marking.banner(), "cells": shard.cells, "rows": rows,
         "store_files": hashes,
@@ -169,6 +174,47 @@ fn media_type(name: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::keys::tests::shared_key;
+
+    #[test]
+    fn what_the_joined_store_lost_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        shared_key()
+            .save(&DataFolder::at(at("data")).subfolder("keys").unwrap().join("orb-signing.pem"), None)
+            .unwrap();
+        std::fs::write(at("rows.csv"), "photo\n").unwrap();
+        let plan: Plan = serde_json::from_value(json!({
+            "schema": "", "output": at("out"), "manifest": at("rows.csv"), "manifest_sha256": "", "options": [],
+            "iterations": 1, "threads": 1, "as_of": "", "data": at("data"), "store": true, "refused": [],
+            "shards": [{"lines": [2], "cells": ["N34W119"], "shared": false}],
+        }))
+        .unwrap();
+        let [tile, other] = ["Tiles/N34/W119/a.zip", "Tiles/N34/W119/b.zip"];
+        for name in ["Metadata/Version.xml", tile, other] {
+            let path = plan.shard(0).join("store.cdb").join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, name).unwrap();
+        }
+        let one = run(&plan).unwrap().unwrap();
+        let text = |name: &str| std::fs::read_to_string(one.join(name)).unwrap_or_default();
+        let record = || std::fs::read(plan.output.join("joined/0000").join(RECORD)).unwrap();
+        assert_eq!(text(tile), tile);
+        // Once more: as it was.
+        let before = record();
+        run(&plan).unwrap();
+        assert_eq!(record(), before);
+        // What was changed there since stays, and what was lost comes back beside it.
+        std::fs::write(one.join(tile), "changed").unwrap();
+        run(&plan).unwrap();
+        assert_eq!((text(tile).as_str(), record()), ("changed", before));
+        std::fs::remove_file(one.join(other)).unwrap();
+        run(&plan).unwrap();
+        assert_eq!((text(tile).as_str(), text(other).as_str()), ("changed", other));
+        std::fs::remove_dir_all(&one).unwrap();
+        run(&plan).unwrap();
+        assert_eq!((text(tile).as_str(), text(other).as_str()), (tile, other));
+    }
 
     #[test]
     fn a_shard_writes_into_its_own_cells() {
