@@ -25,8 +25,8 @@ struct Point {
 /// The points of a file in the photos' world. `datum`: what heights are above.
 ///
 /// # Errors
-/// Usage, naming the line, for what is missing, no number, or no photo, for a point in fewer than two photos, and for one whose
-/// rays do not meet.
+/// Usage, naming the line, for what is missing, no number, or no photo, for a point twice in one photo or in fewer than two, and
+/// for one whose rays do not meet in front of the cameras.
 pub fn read(name: &str, text: &str, photos: &[Posed], datum: AltDatum) -> Result<Vec<Fix>> {
     let wrong = |line: usize, expected: &str, found: String| {
         Error::usage(format!("{name}, line {line}")).expected(expected).found(found)
@@ -75,9 +75,18 @@ pub fn read(name: &str, text: &str, photos: &[Posed], datum: AltDatum) -> Result
         if own <= 0.0 {
             return Err(wrong(line, "metres above 0 as `sigma`", own.to_string()));
         }
-        let entry = points.entry(cell(point)?.to_owned()).or_insert(Point { place, sigma: own, line, seen: vec![] });
+        let id = cell(point)?;
+        let entry = points.entry(id.to_owned()).or_insert(Point { place, sigma: own, line, seen: vec![] });
         if entry.place != place {
             return Err(wrong(line, &format!("the place of line {}", entry.line), format!("{place:?}")));
+        }
+        // Two pixels of one photo would count as two sights of the point.
+        if entry.seen.iter().any(|(i, _)| *i == index) {
+            return Err(wrong(
+                line,
+                "one line for each photo that shows a point",
+                format!("a second one of {id} in {file}"),
+            ));
         }
         entry.seen.push((index, [number(x)?, number(y)?]));
     }
@@ -106,6 +115,12 @@ fn fix(id: &str, p: &Point, photos: &[Posed], datum: AltDatum, wrong: &dyn Fn(&s
             "pixels of one point",
             format!("rays of {id} that miss each other by {:.1} % of the way", 100.0 * worst),
         ));
+    }
+    // Lines go both ways: what lies behind a camera is not in its photo.
+    let ahead = |(eye, along): (glam::DVec3, glam::DVec3)| along.dot(at - eye) > 0.0;
+    if let Some(((i, _), _)) = p.seen.iter().zip(rays()).find(|(_, ray)| !ahead(*ray)) {
+        let found = format!("rays of {id} that meet behind the camera of {}", photos[*i].name);
+        return Err(wrong("pixels of one point in front of its cameras", found).advice("A pixel or a name is wrong."));
     }
     let height = to_ellipsoid((p.place[0], p.place[1]), p.place[2], p.sigma, datum, None)?;
     Ok(Fix {
@@ -139,6 +154,13 @@ mod tests {
         let good = format!("{head}{}{}", line(0), line(1));
         let found = read("g.csv", &good, &photos, AltDatum::Ellipsoid).unwrap();
         assert!(found[0].at.distance(p) < 1e-6 && found[0].control && found[0].horizontal == SIGMA);
+        // The same lines through the cameras, in the other direction.
+        let behind = |i: usize| {
+            let q = photos[i].rotation * DVec3::new(0.2, -0.1, -20.0) + photos[i].translation;
+            assert!(q.z < 0.0);
+            let [fx, fy, cx, cy] = photos[i].camera.pinhole();
+            format!("gate,48.1,11.5,560.2,{},{},{}\n", photos[i].name, fx * q.x / q.z + cx, fy * q.y / q.z + cy)
+        };
         let shifted = line(1).replace(",b,", ",b,9");
         for (text, said) in [
             (String::new(), "names the columns"),
@@ -148,6 +170,9 @@ mod tests {
             (format!("{head}{}", line(0).replace("48.1", "x")), "`x`"),
             (format!("{head}{}{}", line(0), line(1).replace("48.1", "48.2")), "place of line 2"),
             (format!("{head}{}{shifted}", line(0)), "miss"),
+            (format!("{head}{}{}{}", line(0), line(1), line(0)), "line 4"),
+            (format!("{head}{}{}", line(0), line(0)), "a second one of gate in a"),
+            (format!("{head}{}{}", behind(0), behind(1)), "rays of gate that meet behind the camera of a"),
         ] {
             let e = read("g.csv", &text, &photos, AltDatum::Ellipsoid).unwrap_err().to_string();
             assert!(e.contains(said), "{said}: {e}");
