@@ -116,10 +116,10 @@ pub fn find(folder: &Path, given: Option<&Path>) -> Result<Option<Poses>> {
         return Ok(None);
     };
     let read = match &found {
-        Place::Model(model) => of_model(model)?,
-        Place::List(list) => of_list(list)?,
+        Place::Model(model) => of_model(model)?.matched(&photos),
+        Place::List(list) => of_list(list, &photos),
     };
-    read.matched(&photos).map(Some)
+    read.map(Some)
 }
 
 /// What the user names.
@@ -214,7 +214,11 @@ pub fn of_model(folder: &Path) -> Result<Poses> {
     })
 }
 
-fn of_list(list: &Path) -> Result<Poses> {
+/// A list's poses of these photos. Who wrote the list may be anyone: no other file that it names is opened.
+fn of_list(list: &Path, photos: &[PathBuf]) -> Result<Poses> {
+    let there = ByName::new(photos);
+    let listed = transforms::read_of(list, &|name| there.find(name).cloned())?;
+    let posed_at_all = listed.len();
     let posed = |l: transforms::Listed| Posed {
         name: l.name,
         file: l.file,
@@ -222,29 +226,62 @@ fn of_list(list: &Path) -> Result<Poses> {
         rotation: l.rotation,
         translation: l.translation,
     };
-    Ok(Poses {
-        photos: transforms::read(list)?.into_iter().map(posed).collect(),
+    let poses = Poses {
+        photos: listed.into_iter().flatten().map(posed).collect(),
         points: Vec::new(),
         observations: Vec::new(),
         source: format!("the list {}", list.display()),
         files: vec![list.to_owned()],
         notes: Vec::new(),
-    })
+    };
+    poses.matched_of(posed_at_all, photos)
+}
+
+fn last(p: &Path) -> String {
+    p.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// Photos by their names' last part, and by that without its ending.
+struct ByName<'a> {
+    last: BTreeMap<String, &'a PathBuf>,
+    stem: BTreeMap<String, &'a PathBuf>,
+}
+
+impl<'a> ByName<'a> {
+    fn new(photos: &'a [PathBuf]) -> Self {
+        let (mut by_last, mut by_stem) = (BTreeMap::new(), BTreeMap::new());
+        for p in photos {
+            by_last.insert(last(p), p);
+            by_stem.insert(stem(p), p);
+        }
+        ByName { last: by_last, stem: by_stem }
+    }
+
+    /// The photo that poses mean by a name; without its ending where that alone fits.
+    fn find(&self, name: &str) -> Option<&'a PathBuf> {
+        let written = Path::new(name);
+        self.last.get(&last(written)).or_else(|| self.stem.get(&stem(written))).copied()
+    }
+}
+
+fn stem(p: &Path) -> String {
+    p.file_stem().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
 impl Poses {
     /// Those whose photo is there, by the name's last part, without its ending where that alone fits.
-    pub(super) fn matched(mut self, photos: &[PathBuf]) -> Result<Poses> {
-        let last = |p: &Path| p.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let stem = |p: &Path| p.file_stem().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let by_name: BTreeMap<String, &PathBuf> = photos.iter().map(|p| (last(p), p)).collect();
-        let by_stem: BTreeMap<String, &PathBuf> = photos.iter().map(|p| (stem(p), p)).collect();
+    pub(super) fn matched(self, photos: &[PathBuf]) -> Result<Poses> {
         let posed = self.photos.len();
+        self.matched_of(posed, photos)
+    }
+
+    /// As that, where `posed` were read and these may be fewer.
+    fn matched_of(mut self, posed: usize, photos: &[PathBuf]) -> Result<Poses> {
+        let there = ByName::new(photos);
         let mut out = BTreeMap::new();
         for (n, photo) in self.photos.into_iter().enumerate() {
-            let written = Path::new(&photo.name);
-            if let Some(file) = by_name.get(&last(written)).or_else(|| by_stem.get(&stem(written))) {
-                out.entry(last(file)).or_insert((n, Posed { name: last(file), file: (*file).clone(), ..photo }));
+            if let Some(file) = there.find(&photo.name) {
+                out.entry(last(file)).or_insert((n, Posed { name: last(file), file: file.clone(), ..photo }));
             }
         }
         let now: BTreeMap<usize, usize> = out.values().enumerate().map(|(now, (n, _))| (*n, now)).collect();
@@ -321,6 +358,35 @@ mod tests {
         let e = find(f.path(), Some(&f.path().join("sparse/0"))).unwrap_err().to_string();
         assert!(e.contains("2 poses, 3 photos"), "{e}");
         assert!(find(f.path(), Some(Path::new("/nowhere"))).unwrap_err().to_string().contains("/nowhere"));
+    }
+
+    #[test]
+    fn a_list_may_lie_anywhere_and_opens_no_file_but_the_photos() {
+        let (f, elsewhere) = (folder(&["a.png", "b.png"]), tempfile::tempdir().unwrap());
+        let list = elsewhere.path().join("transforms.json");
+        let of = |names: &[&str]| {
+            let frame = |n: &&str| {
+                format!(r#"{{"file_path": "{n}", "transform_matrix": [[1,0,0,0],[0,0,-1,-3],[0,1,0,0],[0,0,0,1]]}}"#)
+            };
+            let frames: Vec<String> = names.iter().map(frame).collect();
+            std::fs::write(&list, format!(r#"{{"camera_angle_x": 1.0, "frames": [{}]}}"#, frames.join(","))).unwrap();
+            find(f.path(), Some(&list)).map(|found| format!("{:?}", found.unwrap())).map_err(|e| e.to_string())
+        };
+        of(&["./images/a.png", "b"]).unwrap();
+        let found = find(f.path(), Some(&list)).unwrap().unwrap();
+        assert_eq!((found.photos.len(), found.photos[1].camera.width), (2, 4));
+        assert!(found.photos[1].file == f.path().join("b.png") && found.notes.is_empty(), "{:?}", found.notes);
+        // One is there and no picture, one a picture of another size, one is missing.
+        let [words, picture, missing] = ["words.png", "picture.png", "no.png"].map(|n| elsewhere.path().join(n));
+        std::fs::write(&words, "x").unwrap();
+        image::RgbImage::new(9, 9).save(&picture).unwrap();
+        let answers = [&words, &picture, &missing].map(|outside| {
+            let outside = outside.to_str().unwrap().replace('\\', "/");
+            [of(&["a.png", "b.png", &outside]), of(&["a.png", &outside])]
+        });
+        assert!(answers[0][0].as_ref().unwrap().contains("1 of 3 poses have no photo"), "{answers:?}");
+        assert!(answers[0][1].as_ref().unwrap_err().contains("1: 2 poses, 2 photos"), "{answers:?}");
+        assert!(answers[0] == answers[1] && answers[1] == answers[2], "{answers:?}");
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::{Error, Result};
 pub struct Listed {
     /// As written.
     pub name: String,
-    /// Beside the list; `.png` where nothing is written.
+    /// Beside the list, `.png` where nothing is written; or among given photos.
     pub file: PathBuf,
     pub camera: Camera,
     /// World→camera, OpenCV axes.
@@ -78,14 +78,31 @@ pub fn points(list: &Path) -> Result<Option<(PathBuf, Vec<orb_formats::ply::Poin
 /// # Errors
 /// Usage, naming the list and the frame, for one that cannot be read or has a camera that is none.
 pub fn read(list: &Path) -> Result<Vec<Listed>> {
+    let folder = list.parent().unwrap_or(Path::new("."));
+    let beside = |name: &str| {
+        let mut file = folder.join(name);
+        if file.extension().is_none() {
+            file.set_extension("png");
+        }
+        Some(file)
+    };
+    Ok(read_of(list, &beside)?.into_iter().flatten().collect())
+}
+
+/// As [`read`], of the frames that `file` knows the picture of, by what is written; `None` for the others, and no other file
+/// is looked at.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_of(list: &Path, file: &dyn Fn(&str) -> Option<PathBuf>) -> Result<Vec<Option<Listed>>> {
     let wrong =
         |expected: &str, found: String| Error::usage(list.display().to_string()).expected(expected).found(found);
     let read = parsed(list)?;
     if read.frames.is_empty() {
         return Err(wrong("frames", "none".into()));
     }
-    let folder = list.parent().unwrap_or(Path::new("."));
-    read.frames.iter().map(|f| listed(f, &read, folder, &wrong)).collect()
+    let of = |f: &Frame| file(&f.file_path).map(|file| listed(f, &read, file, &wrong)).transpose();
+    read.frames.iter().map(of).collect()
 }
 
 fn parsed(list: &Path) -> Result<List> {
@@ -97,11 +114,7 @@ fn parsed(list: &Path) -> Result<List> {
     })
 }
 
-fn listed(f: &Frame, list: &List, folder: &Path, wrong: &dyn Fn(&str, String) -> Error) -> Result<Listed> {
-    let mut file = folder.join(&f.file_path);
-    if file.extension().is_none() {
-        file.set_extension("png");
-    }
+fn listed(f: &Frame, list: &List, file: PathBuf, wrong: &dyn Fn(&str, String) -> Error) -> Result<Listed> {
     let of = |pick: fn(&Inside) -> Option<f64>| pick(&f.inside).or(pick(&list.inside));
     let size = match (of(|i| i.w), of(|i| i.h)) {
         (Some(w), Some(h)) if [w, h].iter().all(|v| v.fract() == 0.0 && (1.0..=65_535.0).contains(v)) => {
