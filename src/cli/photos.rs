@@ -332,7 +332,10 @@ impl Folder {
     }
 
     fn run_colmap(&mut self, progress: &dyn Progress) -> Result<()> {
-        let work = std::env::temp_dir().join(format!("orb-colmap-{}", std::process::id()));
+        // Nobody else can have made a folder of this name, and no run that was killed has left it.
+        let mut own = [0; 16];
+        getrandom::fill(&mut own).map_err(|e| Error::environment("random numbers").found(e.to_string()))?;
+        let work = std::env::temp_dir().join(format!("orb-colmap-{}", hex::encode(own)));
         let folder = self.files.first().and_then(|f| f.parent()).unwrap_or(Path::new(".")).to_owned();
         let shared = self.shared()?;
         let (poses, inputs, ran) = sfm::run(Path::new(COLMAP), &self.files, shared, &work, progress, |run| {

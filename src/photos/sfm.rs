@@ -26,6 +26,23 @@ pub struct Run {
 /// A folder that is gone when this is.
 struct Work(PathBuf);
 
+impl Work {
+    /// Makes it, for this user alone: what it is given are photos, and what is read of it becomes poses. One that is there
+    /// is somebody else's.
+    fn make(path: &Path) -> Result<Work> {
+        #[cfg_attr(not(unix), allow(unused_mut))]
+        let mut folder = std::fs::DirBuilder::new();
+        #[cfg(unix)]
+        std::os::unix::fs::DirBuilderExt::mode(&mut folder, 0o700);
+        match folder.create(path) {
+            Ok(()) => Ok(Work(path.to_owned())),
+            Err(e) => Err(Error::io(path, &e)
+                .expected("a work folder that is not there yet")
+                .advice("Set TMPDIR to a folder where this user may write.")),
+        }
+    }
+}
+
 impl Drop for Work {
     fn drop(&mut self) {
         // Nothing depends on it any more; what cannot be removed stays for the system to clear.
@@ -63,7 +80,7 @@ fn command(program: &Path) -> Command {
 /// what came of it before that.
 ///
 /// # Errors
-/// Environment where the program is missing or fails, with its last words; usage where it finds no model; `Cancelled`.
+/// Environment where the program is missing or fails, with its last words, or `work` exists; usage where it finds no model; `Cancelled`.
 pub fn run<T>(
     program: &Path,
     photos: &[PathBuf],
@@ -73,9 +90,9 @@ pub fn run<T>(
     read: impl FnOnce(&Run) -> Result<T>,
 ) -> Result<T> {
     let version = version(program)?;
+    let held = Work::make(work)?;
     let images = work.join("images");
-    std::fs::create_dir_all(&images).map_err(|e| Error::io(&images, &e))?;
-    let held = Work(work.to_owned());
+    std::fs::create_dir(&images).map_err(|e| Error::io(&images, &e))?;
     for photo in photos {
         let name = photo.file_name().unwrap_or_default();
         let whole = photo.canonicalize().map_err(|e| Error::io(photo, &e))?;
@@ -262,5 +279,25 @@ mod tests {
         let e = run(Path::new("/bin/false"), &[photo], None, &work, &Silent, |_| Ok(())).unwrap_err();
         assert!(e.subject.contains("feature_extractor") && e.found.contains("exit status: 1"), "{e}");
         assert!(!work.exists(), "the work folder stayed");
+    }
+
+    #[test]
+    fn the_work_folder_is_new_and_this_users_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let (work, photo) = (folder.path().join("work"), folder.path().join("a.png"));
+        image::RgbImage::new(4, 4).save(&photo).unwrap();
+        std::fs::create_dir(&work).unwrap();
+        let e = run(Path::new("/bin/false"), &[photo], None, &work, &Silent, |_| Ok(())).unwrap_err();
+        assert!(e.kind == crate::Kind::Environment && e.expected.contains("not there yet"), "{e}");
+        assert_eq!(std::fs::read_dir(&work).unwrap().count(), 0, "it is another's: nothing goes in, and it stays");
+        std::fs::remove_dir(&work).unwrap();
+        let held = Work::make(&work).unwrap();
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt as _;
+            assert_eq!(std::fs::metadata(&work).unwrap().permissions().mode() & 0o777, 0o700);
+        }
+        drop(held);
+        assert!(!work.exists());
     }
 }
