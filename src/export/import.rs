@@ -72,13 +72,15 @@ pub fn read(name: &str, bytes: &[u8], axes: Option<SplatAxes>) -> Result<Importe
         }
         [b'g', b'l', b'T', b'F', ..] => {
             let mut asset = glb::read(bytes).map_err(unreadable)?;
-            let place = asset.label.place.map(placement);
+            // Orb's frame, wherever it stands.
+            let is_orbs = asset.label.place.is_some();
+            let place = asset.label.place.and_then(placement);
             let splats = asset.splats.take().map(|s| upright(s, SplatAxes::YUp));
             let levels = if asset.parts.is_empty() { Vec::new() } else { vec![level(&asset)?] };
             if splats.is_none() && levels.is_empty() {
                 return Err(Error::usage(name).expected("triangles or splats").found("neither"));
             }
-            Ok(Imported { gaussians: splats, levels, is_orbs: place.is_some(), place })
+            Ok(Imported { gaussians: splats, levels, is_orbs, place })
         }
         _ => Err(Error::usage(name)
             .expected("splats in PLY or SPZ, or a model or splats in GLB")
@@ -110,9 +112,15 @@ fn level(asset: &Asset) -> Result<PlacedLevel> {
     Ok(PlacedLevel { mesh, texture, details: mesh::Details::default(), error: 0.0, significant_size: size })
 }
 
-fn placement(p: Place) -> Placement {
+/// `None` for numbers that are no place on the Earth: a file may say anything.
+fn placement(p: Place) -> Option<Placement> {
+    let on_earth = p.latitude.abs() <= 90.0 && p.longitude.abs() <= 180.0;
     let origin = Geodetic { latitude: p.latitude, longitude: p.longitude, height: p.height };
-    Placement { origin, heading: p.heading, heading_source: HeadingSource::Given }
+    (on_earth && p.height.is_finite() && p.heading.is_finite()).then_some(Placement {
+        origin,
+        heading: p.heading,
+        heading_source: HeadingSource::Given,
+    })
 }
 
 /// The comments of [`scene_ply`](super::scene_ply), read back.
@@ -124,9 +132,7 @@ fn place_of_comments(comments: &[String]) -> Option<Placement> {
     let origin = numbers("origin WGS84 ")?;
     let heading = numbers("heading of +Y ")?;
     match (origin.as_slice(), heading.first()) {
-        (&[latitude, longitude, height], Some(&heading)) => {
-            Some(placement(Place { latitude, longitude, height, heading }))
-        }
+        (&[latitude, longitude, height], Some(&heading)) => placement(Place { latitude, longitude, height, heading }),
         _ => None,
     }
 }
@@ -266,6 +272,34 @@ mod tests {
         let back = read("s.spz", &file.bytes, None).unwrap();
         assert!(back.is_orbs && back.place.is_none());
         assert!(off(&g, &back.gaussians.unwrap())[0] < 2e-4);
+    }
+
+    #[test]
+    fn a_place_that_is_none_is_not_believed() {
+        let g = scene(5, 0.1, 5);
+        let sound = Placement {
+            origin: Geodetic { latitude: 90.0, longitude: -180.0, height: 3.0 },
+            heading: 7.0,
+            heading_source: HeadingSource::Given,
+        };
+        let at = |latitude, longitude, height, heading| Placement {
+            origin: Geodetic { latitude, longitude, height },
+            heading,
+            ..sound
+        };
+        for (placement, expected) in [
+            (sound, Some(sound)),
+            (at(4000.0, 0.0, 0.0, 0.0), None),
+            (at(0.0, 180.5, 0.0, 0.0), None),
+            (at(f64::NAN, 0.0, 0.0, 0.0), None),
+            (at(0.0, 0.0, f64::INFINITY, 0.0), None),
+            (at(0.0, 0.0, 0.0, f64::NAN), None),
+        ] {
+            let ply = read("s.ply", &scene_ply(&g, &placement, &labels()).unwrap().bytes, None).unwrap();
+            let glb = read("s.glb", &splat_glb(&g, &placement, &labels()).unwrap().bytes, None).unwrap();
+            assert_eq!((ply.place, glb.place), (expected, expected), "{placement:?}");
+            assert!(ply.is_orbs);
+        }
     }
 
     #[test]
