@@ -22,17 +22,26 @@ pub fn is_model(name: &str) -> bool {
     ["ply", "spz", "glb", "usdz", "flt", "kmz"].contains(&ending) && name != "network.ply"
 }
 
-/// Reads a file back by its format's rules; None for formats that are not checked.
+/// Reads a file back by its format's rules; None for formats that are not checked, and for what a format has and its reader
+/// does not read.
 pub fn finding(name: &str, bytes: &[u8]) -> Option<Finding> {
-    let of = |e: Option<String>| Some(e.map_or(Finding::Sound, Finding::Broken));
     match name.rsplit('.').next().unwrap_or_default() {
-        "ply" => of(ply::read(bytes).err().map(|e| e.to_string())),
-        "spz" => of(spz::read(bytes, Axes::RUB).err().map(|e| e.to_string())),
-        "glb" => of(glb::read(bytes).err().map(|e| e.to_string())),
-        "usdz" => of(usdz::read(bytes).err().map(|e| e.to_string())),
-        "flt" => of(openflight::check(bytes).into_iter().next()),
-        "json" if name == "tileset.json" => of(tiles3d::read(bytes).err().map(|e| e.to_string())),
+        "ply" => of_reader(ply::read(bytes)),
+        "spz" => of_reader(spz::read(bytes, Axes::RUB)),
+        "glb" => of_reader(glb::read(bytes)),
+        "usdz" => of_reader(usdz::read(bytes)),
+        "flt" => Some(openflight::check(bytes).into_iter().next().map_or(Finding::Sound, Finding::Broken)),
+        "json" if name == "tileset.json" => of_reader(tiles3d::read(bytes)),
         _ => None,
+    }
+}
+
+fn of_reader<T>(read: orb_formats::Result<T>) -> Option<Finding> {
+    match read {
+        Ok(_) => Some(Finding::Sound),
+        // The reader's limit says nothing against the file.
+        Err(orb_formats::Error::Unsupported { .. }) => None,
+        Err(e) => Some(Finding::Broken(e.to_string())),
     }
 }
 
@@ -67,5 +76,25 @@ mod tests {
         assert!(matches!(finding("a.flt", &[0; 8]), Some(Finding::Broken(_))));
         assert_eq!(finding("notes.txt", b""), None);
         assert!(is_model("a.b.glb") && !is_model("preview.png") && !is_model("network.ply"));
+    }
+
+    #[test]
+    fn what_a_reader_does_not_read_is_not_broken() {
+        let mesh = orb_formats::Mesh {
+            positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            uvs: vec![[0.0; 2]; 3],
+            triangles: vec![[0, 1, 2]],
+        };
+        let parts = vec![orb_formats::asset::Part { mesh, material: None }];
+        let mut bytes = usdz::write(&orb_formats::Asset { parts, ..Default::default() }).unwrap();
+        assert_eq!(finding("a.usdz", &bytes), Some(Finding::Sound));
+        assert!(matches!(finding("a.usdz", &bytes[..bytes.len() / 2]), Some(Finding::Broken(_))));
+        // A root layer of text, by its name in the header and the directory.
+        let name = b"model.usdc";
+        let at: Vec<usize> = (0..bytes.len()).filter(|i| bytes[*i..].starts_with(name)).collect();
+        assert_eq!(at.len(), 2);
+        at.into_iter().for_each(|i| bytes[i + name.len() - 1] = b'a');
+        assert_eq!(finding("a.usdz", &bytes), None);
     }
 }
