@@ -120,7 +120,8 @@ fn place(index: usize, options: &Options, random: &mut Random, marking: &Marking
             let brightness = options.exposure_drift * random.normal();
             let gain = [0; 3].map(|_| (brightness + 0.2 * options.exposure_drift * random.normal()).exp());
             let van = options.moving.then(|| {
-                let (mut mesh, texture) = things::build(&things::KINDS[1], &mut Random::new(options.seed + 77));
+                let (mut mesh, texture) =
+                    things::build(&things::KINDS[1], &mut Random::new(options.seed.wrapping_add(77)));
                 let angle = 0.7 + 2.4 * k as f32;
                 let at = Vec3::new(angle.cos(), angle.sin(), 0.0) * place.radius * 0.8;
                 turned(&mut mesh, angle, at);
@@ -438,6 +439,12 @@ pub(super) mod tests {
             picture.get_pixel(x, y).0.iter().zip(color).all(|(a, b)| a.abs_diff(*b) < 40)
         });
         assert!(close.count() * 10 > own.len() * 8);
+    }
+
+    #[test]
+    fn the_largest_seed_is_a_seed() {
+        let largest = Options { seed: u64::MAX, count: 2, ..options(false) };
+        assert!(set(0, &largest, &Marking::UNCLASSIFIED).is_ok_and(|(_, files)| !files.is_empty()));
     }
 
     #[test]

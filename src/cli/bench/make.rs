@@ -37,7 +37,7 @@ pub struct Make {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=500))]
     pub photos: Option<u32>,
     /// Standard deviation of the photos' GPS across, metres; twice that up.
-    #[arg(long, value_name = "METRES", default_value_t = 1.5, requires = "photos")]
+    #[arg(long, value_name = "METRES", default_value_t = 1.5, requires = "photos", value_parser = gps_noise)]
     pub gps_noise: f64,
     /// Leave COLMAP's model out.
     #[arg(long, requires = "photos")]
@@ -49,13 +49,23 @@ pub struct Make {
     #[arg(long, requires = "photos", conflicts_with = "no_poses")]
     pub nerf: bool,
     /// With --site: how much the photos' brightness differs, a standard deviation of its natural logarithm.
-    #[arg(long, value_name = "SIGMA", default_value_t = 0.0, requires = "site")]
+    #[arg(long, value_name = "SIGMA", default_value_t = 0.0, requires = "site", value_parser = exposure_drift)]
     pub exposure_drift: f32,
     /// With --site: a van that stands elsewhere in each photo, and masks of it.
     #[arg(long, requires = "site")]
     pub moving: bool,
     #[command(flatten)]
     pub publish: PublishArgs,
+}
+
+fn gps_noise(text: &str) -> std::result::Result<f64, String> {
+    let number = text.parse().ok().filter(|v: &f64| (0.0..=1000.0).contains(v));
+    number.ok_or_else(|| "expected metres from 0 to 1000, such as 1.5".into())
+}
+
+fn exposure_drift(text: &str) -> std::result::Result<f32, String> {
+    let number = text.parse().ok().filter(|v: &f32| (0.0..=1.0).contains(v));
+    number.ok_or_else(|| "expected a number from 0 to 1, such as 0.35".into())
 }
 
 /// Makes and publishes. `stop` is set by the interrupt handler.
@@ -78,8 +88,8 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
                     seed: args.seed,
                     count: count as usize,
                     width: args.size,
-                    gps_noise: args.gps_noise.clamp(0.0, 1000.0),
-                    exposure_drift: args.exposure_drift.clamp(0.0, 1.0),
+                    gps_noise: args.gps_noise,
+                    exposure_drift: args.exposure_drift,
                     moving: args.moving,
                     nerf: args.nerf,
                 };
@@ -90,7 +100,7 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
                     seed: args.seed,
                     count: count as usize,
                     width: args.size,
-                    gps_noise: args.gps_noise.clamp(0.0, 1000.0),
+                    gps_noise: args.gps_noise,
                     poses: !args.no_poses,
                 };
                 make::photos::set(i, &several, &marking)?.1
@@ -117,4 +127,19 @@ pub fn publish(args: &Make, stop: &AtomicBool) -> Result<u8> {
         println!("{}\n{} scenes in {}", marking.banner(), args.scenes, published.folder.display());
     }
     Ok(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_and_drift_are_numbers_within_their_range() {
+        for wrong in ["nan", "NaN", "inf", "-inf", "-0.1", "1000.5", "1e999", "x", ""] {
+            assert!(gps_noise(wrong).is_err_and(|e| e.contains("0 to 1000")), "{wrong}");
+            assert!(exposure_drift(wrong).is_err_and(|e| e.contains("0 to 1,")), "{wrong}");
+        }
+        assert!(exposure_drift("1.5").is_err());
+        assert_eq!((gps_noise("1000"), gps_noise("0"), exposure_drift("0.35")), (Ok(1000.0), Ok(0.0), Ok(0.35)));
+    }
 }
