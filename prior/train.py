@@ -119,6 +119,8 @@ def told(path, seconds, total):
 def compile_blocks(net):
     """Compile the network's blocks in place, each kind of block once for each shape."""
     torch._dynamo.config.recompile_limit = 64
+    # Blocks are small enough for gradients to be shared as they come; cut up for it they do not compile (PyTorch 2.11).
+    torch._dynamo.config.optimize_ddp = False
     for module in net.modules():
         if isinstance(module, (Block, Res)):
             module.compile()

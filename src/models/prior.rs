@@ -33,8 +33,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.14",
-    sha256: "429337927ec002f8826b66feed464deaf1dce209685cddce187d96de3f1b3797",
+    version: "0.15",
+    sha256: "4ccba10327aff30e3173925e08b94ee789d540b62e3cb6799cbbc3cecd8fa040",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
