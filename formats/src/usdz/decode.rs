@@ -10,6 +10,8 @@ use crate::{Error, Result};
 
 /// Prims below one another, dictionaries inside one another.
 const MAX_DEPTH: usize = 64;
+/// What a field of a spec costs besides its texts, bytes: sets of fields may be shared.
+const FIELD: usize = 16;
 
 /// The layer's root with everything below it.
 ///
@@ -83,6 +85,7 @@ pub fn decode(bytes: &[u8]) -> Result<Spec> {
             let Some(&(token, value)) = fields.get(field as usize) else {
                 return Err(malformed(place, format!("a field below {}", fields.len()), field.to_string()));
             };
+            file.spend(FIELD)?;
             let name = file.token(token as u32, place)?.to_owned();
             // What the tree says already.
             if name != "primChildren" && name != "properties" {

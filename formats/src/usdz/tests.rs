@@ -66,6 +66,52 @@ fn broken_packages_are_refused() {
     assert!(write(&splats).unwrap_err().to_string().contains("splats"));
 }
 
+/// A layer of so many specs that share one set of so many fields, none of which has a text.
+fn sharing(specs: usize, fields: usize) -> Vec<u8> {
+    let numbers = |n: usize| -> Vec<i32> { (0..n as i32).collect() };
+    let column = |values: &[i32]| {
+        let packed = packing::pack_ints(values);
+        [&(packed.len() as u64).to_le_bytes()[..], &packed].concat()
+    };
+    let count = |n: usize| (n as u64).to_le_bytes().to_vec();
+    let packed = |bytes: &[u8]| {
+        let packed = packing::pack(bytes);
+        [count(packed.len()), packed].concat()
+    };
+    let yes = encode::INLINED | u64::from(encode::code::BOOL) << 48;
+    let set: Vec<i32> = numbers(fields).into_iter().chain([-1]).collect();
+    let first_and = |first: i32, rest: i32| [vec![first], vec![rest; specs - 1]].concat();
+    let mut jumps = first_and(-1, 0);
+    jumps[specs - 1] = -2;
+    let sections = [
+        [count(1), count(1), packed(b"\0")].concat(),
+        count(0),
+        [count(fields), column(&vec![0; fields]), packed(&yes.to_le_bytes().repeat(fields))].concat(),
+        [count(set.len()), column(&set)].concat(),
+        [count(specs), count(specs), column(&numbers(specs)), column(&vec![0; specs]), column(&jumps)].concat(),
+        [count(specs), column(&numbers(specs)), column(&vec![0; specs]), column(&first_and(7, 6))].concat(),
+    ];
+    let mut bytes = vec![0; 88];
+    let mut contents = count(sections.len());
+    for (name, section) in encode::SECTIONS.iter().zip(sections) {
+        let mut field = [0; 16];
+        field[..name.len()].copy_from_slice(name.as_bytes());
+        contents.extend([&field[..], &count(bytes.len()), &count(section.len())].concat());
+        bytes.extend(section);
+    }
+    let header = [&encode::MAGIC[..], &[0, 8, 0, 0, 0, 0, 0, 0], &count(bytes.len())].concat();
+    bytes[..header.len()].copy_from_slice(&header);
+    [bytes, contents].concat()
+}
+
+#[test]
+fn sets_of_fields_may_be_shared_but_not_for_ever() {
+    let root = decode::decode(&sharing(3, 5)).unwrap();
+    assert_eq!((root.fields.len(), root.children.len(), root.children[1].fields.len()), (5, 2, 5));
+    let error = decode::decode(&sharing(2000, 2000)).unwrap_err().to_string();
+    assert!(error.contains("unfolds to many times its size"), "{error}");
+}
+
 fn field(bases: usize) -> crate::Splats {
     let mut sh = [[0.0; 3]; 16];
     (0..bases).for_each(|b| sh[b] = [0.1 + b as f32, -0.5, 0.25 * b as f32]);
