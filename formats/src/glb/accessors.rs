@@ -71,7 +71,12 @@ impl<'a> Accessors<'a> {
     }
 
     fn accessor(&self, index: usize) -> Result<&Accessor> {
-        self.root.accessors.get(index).ok_or_else(|| missing("accessor", index))
+        let accessor = self.root.accessors.get(index).ok_or_else(|| missing("accessor", index))?;
+        // The format's least: what is empty would cost nothing, however often it is repeated.
+        if accessor.count == 0 {
+            return Err(Error::malformed(FORMAT, 20, format!("at least one element of accessor {index}"), "none"));
+        }
+        Ok(accessor)
     }
 
     /// Vertices of a primitive, at most its corners.

@@ -139,9 +139,36 @@ pub struct Pbr {
     pub roughness_factor: Option<f32>,
 }
 
+/// Where a material finds a texture.
 #[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Index {
     pub index: usize,
+    /// The set of texture coordinates.
+    #[serde(default)]
+    pub tex_coord: usize,
+    #[serde(default)]
+    pub extensions: OfTexture,
+}
+
+#[derive(Default, Deserialize)]
+pub struct OfTexture {
+    #[serde(rename = "KHR_texture_transform")]
+    pub shift: Option<Shift>,
+}
+
+/// How texture coordinates are changed: scaled, then turned, then moved.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Shift {
+    #[serde(default)]
+    pub offset: [f64; 2],
+    /// Radians.
+    #[serde(default)]
+    pub rotation: f64,
+    pub scale: Option<[f64; 2]>,
+    /// In place of the texture's own.
+    pub tex_coord: Option<usize>,
 }
 
 #[derive(Deserialize)]

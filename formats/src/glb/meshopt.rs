@@ -14,6 +14,7 @@ use super::write::{ARRAY_BUFFER, Buffer, ELEMENT_ARRAY_BUFFER, FLOAT, UNSIGNED_I
 use crate::{Error, Result};
 
 pub const NAME: &str = "EXT_meshopt_compression";
+pub const SUCCESSOR: &str = "KHR_meshopt_compression";
 pub const QUANTIZATION: &str = "KHR_mesh_quantization";
 const SHORT: u32 = 5122;
 

@@ -28,3 +28,5 @@ const SPLATTING: &str = "KHR_gaussian_splatting";
 const UNLIT: &str = "KHR_materials_unlit";
 /// Name of the extension for metadata.
 const XMP: &str = "KHR_xmp_json_ld";
+/// Name of the extension for texture coordinates that a material changes.
+const TEXTURE_TRANSFORM: &str = "KHR_texture_transform";

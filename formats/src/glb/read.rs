@@ -1,36 +1,67 @@
 //! File → asset.
 
 use super::accessors::Accessors;
-use super::json::{About, Index, Look, Picture, Primitive, Root};
+use super::json::{About, Index, Look, Picture, Primitive, Root, Shift};
 use super::transform::Transform;
-use super::{FORMAT, SPLATTING, container, splats};
+use super::{FORMAT, SPLATTING, TEXTURE_TRANSFORM, UNLIT, XMP, container, meshopt, splats};
 use crate::asset::{Asset, EncodedImage, Material, Part};
 use crate::{Error, Label, Mesh, Place, Result, Splats};
 
-/// Extensions that change how geometry is stored, which this reader does not undo.
-const UNREAD: [&str; 3] = [
-    "KHR_draco_mesh_compression",
-    "KHR_gaussian_splatting_compression_spz",
-    "KHR_gaussian_splatting_compression_spz_2",
+/// Extensions that a file may need: those that are read, and those that say nothing of shapes, base colours and places.
+const KNOWN: [&str; 27] = [
+    SPLATTING,
+    TEXTURE_TRANSFORM,
+    UNLIT,
+    XMP,
+    meshopt::NAME,
+    meshopt::SUCCESSOR,
+    meshopt::QUANTIZATION,
+    "EXT_instance_features",
+    "EXT_lights_ies",
+    "EXT_lights_image_based",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "KHR_animation_pointer",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_materials_volume_scatter",
 ];
+/// What a primitive of triangles costs at least, in vertices.
+const LEAST: usize = 4;
+/// What a splat costs, in vertices: its numbers take as much room.
+const SPLAT: usize = 6;
 /// Nodes below one another.
 const MAX_DEPTH: usize = 64;
 
 /// Reads the default scene (else the first, else every node): triangles with their nodes' transformations applied, base
 /// colours and their images, splats, Orb's label.
 ///
-/// Buffer views that are compressed by meshoptimizer are unfolded. Missing normals are computed; points and lines, other textures, animation, skins, cameras and lights are left out.
+/// Buffer views that are compressed by meshoptimizer are unfolded. Texture coordinates are those of the base colour (else of the
+/// normals, else of the occlusion), as its `texCoord` and `KHR_texture_transform` say. Missing normals are computed; points and
+/// lines, other textures, animation, skins, cameras and lights are left out.
 /// What [`write`](super::write()) wrote comes back equal up to f32 positions and a v coordinate's last bit.
 ///
 /// # Errors
 /// [`Error::Malformed`] where the file breaks the format; [`Error::Unsupported`] for compressed or sparse data,
-/// buffers outside the file, and a scene that unfolds to more than four vertices a byte of the file.
+/// buffers outside the file, extensions that the file needs and that are not known, and a scene that unfolds to more than four
+/// vertices a byte of the file.
 pub fn read(bytes: &[u8]) -> Result<Asset> {
     let (json, bin) = container::split(bytes)?;
     let root: Root = serde_json::from_slice(json)
         .map_err(|e| Error::malformed(FORMAT, 20 + e.column(), "glTF 2.0 JSON", e.to_string()))?;
-    if let Some(name) = root.extensions_required.iter().find(|e| UNREAD.contains(&e.as_str())) {
-        return Err(Error::unsupported(FORMAT, format!("the file needs {name}; store it without compression")));
+    if let Some(name) = root.extensions_required.iter().find(|e| !KNOWN.contains(&e.as_str())) {
+        return Err(Error::unsupported(FORMAT, format!("the file needs {name}, which is not read; store it without")));
     }
     let accessors = Accessors::new(&root, bin);
     let mut out = Asset { materials: materials(&root)?, images: images(&accessors)?, ..Asset::default() };
@@ -55,16 +86,17 @@ pub fn read(bytes: &[u8]) -> Result<Asset> {
         }
         for primitive in &mesh.primitives {
             if primitive.extensions.contains_key(SPLATTING) {
-                left = spend(left, accessors.vertices(primitive)?)?;
+                left = spend(left, accessors.vertices(primitive)?.saturating_mul(SPLAT))?;
                 let read = splats::read(&primitive.attributes, &accessors)?;
                 add_splats(&mut out, read, &here)?;
             } else if matches!(primitive.mode.unwrap_or(4), 4..=6) {
-                left = spend(left, accessors.vertices(primitive)?)?;
+                left = spend(left, accessors.vertices(primitive)?.max(LEAST))?;
                 let material = primitive.material;
-                if let Some(m) = material.filter(|&m| m >= out.materials.len()) {
-                    return Err(missing("material", m));
-                }
-                out.parts.push(Part { mesh: triangle_mesh(&accessors, primitive, &here)?, material });
+                let look = material.map(|m| root.materials.get(m).ok_or_else(|| missing("material", m))).transpose()?;
+                let mesh = triangle_mesh(&accessors, primitive, look.and_then(texture_of), &here)?;
+                out.parts.push(Part { mesh, material });
+            } else {
+                left = spend(left, 1)?;
             }
         }
     }
@@ -98,7 +130,7 @@ fn materials(root: &Root) -> Result<Vec<Material>> {
     let image = |texture: &Option<Index>| {
         let source = match texture {
             None => None,
-            Some(Index { index }) => root.textures.get(*index).ok_or_else(|| missing("texture", *index))?.source,
+            Some(Index { index, .. }) => root.textures.get(*index).ok_or_else(|| missing("texture", *index))?.source,
         };
         match source.filter(|&i| i >= root.images.len()) {
             Some(i) => Err(missing("image", i)),
@@ -116,7 +148,7 @@ fn materials(root: &Root) -> Result<Vec<Material>> {
             metallic: pbr.metallic_factor.unwrap_or(1.0),
             roughness: pbr.roughness_factor.unwrap_or(1.0),
             double_sided: look.double_sided,
-            unlit: look.extensions.get(super::UNLIT).is_some(),
+            unlit: look.extensions.get(UNLIT).is_some(),
         })
     };
     root.materials.iter().map(one).collect()
@@ -151,17 +183,44 @@ pub fn missing(what: &str, index: usize) -> Error {
     Error::malformed(FORMAT, 20, format!("the {what} {index}"), "none")
 }
 
-fn triangle_mesh(accessors: &Accessors, primitive: &Primitive, here: &Transform) -> Result<Mesh> {
+/// The texture whose coordinates a part has: it has one set of them.
+fn texture_of(look: &Look) -> Option<&Index> {
+    let pbr = &look.pbr_metallic_roughness;
+    [&pbr.base_color_texture, &look.normal_texture, &look.occlusion_texture].into_iter().flatten().next()
+}
+
+/// Scaled, turned and moved, as `KHR_texture_transform` has it: counter-clockwise as the picture is seen, v down. So say its text
+/// and its example, and so do renderers; its lines of GLSL, taken by columns, would turn the other way.
+fn shifted(uvs: &mut [[f32; 2]], by: &Shift) {
+    let ([x, y], [across, down]) = (by.offset, by.scale.unwrap_or([1.0; 2]));
+    let (sin, cos) = by.rotation.sin_cos();
+    for uv in uvs {
+        let [u, v] = [across * f64::from(uv[0]), down * f64::from(uv[1])];
+        *uv = [x + cos * u + sin * v, y - sin * u + cos * v].map(|c| c as f32);
+    }
+}
+
+fn triangle_mesh(
+    accessors: &Accessors,
+    primitive: &Primitive,
+    texture: Option<&Index>,
+    here: &Transform,
+) -> Result<Mesh> {
     let Some(&positions) = primitive.attributes.get("POSITION") else {
         return Err(Error::malformed(FORMAT, 20, "positions of a primitive", "none"));
     };
     let positions: Vec<[f32; 3]> = accessors.vectors(positions)?;
     let count = positions.len();
     let optional = |name: &str| primitive.attributes.get(name).copied();
-    let uvs: Vec<[f32; 2]> = match optional("TEXCOORD_0") {
+    let shift = texture.and_then(|t| t.extensions.shift.as_ref());
+    let set = shift.and_then(|s| s.tex_coord).or(texture.map(|t| t.tex_coord)).unwrap_or(0);
+    let mut uvs: Vec<[f32; 2]> = match optional(&format!("TEXCOORD_{set}")) {
         Some(index) => accessors.vectors(index)?,
         None => vec![[0.0; 2]; count],
     };
+    if let Some(shift) = shift {
+        shifted(&mut uvs, shift);
+    }
     let corners: Vec<u32> = match primitive.indices {
         Some(index) => accessors.indices(index)?,
         None => (0..count as u32).collect(),

@@ -123,7 +123,9 @@ fn nodes_strips_and_integers_are_understood() {
 #[test]
 fn broken_files_are_refused() {
     type Change = fn(&mut Value);
-    let table: [(Change, &str); 16] = [
+    let table: [(Change, &str); 18] = [
+        (|r| r["accessors"][0]["count"] = 0.into(), "at least one element of accessor 0"),
+        (|r| r["extensionsRequired"] = json!(["KHR_texture_transform", "KHR_texture_basisu"]), "KHR_texture_basisu"),
         (|r| r["accessors"][0]["count"] = 5.into(), "accessor 0 inside its view"),
         (|r| r["accessors"][0]["count"] = u64::MAX.into(), "too often"),
         (|r| r["accessors"][0]["byteOffset"] = 8.into(), "accessor 0 inside its view"),
@@ -153,6 +155,26 @@ fn broken_files_are_refused() {
         r["nodes"].as_array_mut().unwrap().push(json!({ "mesh": 0 }));
     });
     assert!(read(&bomb).unwrap_err().to_string().contains("too often"));
+    let parts = |parts: usize, nodes: usize| {
+        foreign(|r| {
+            r["accessors"][0]["count"] = 1.into();
+            r["meshes"][0]["primitives"] = vec![json!({ "attributes": { "POSITION": 0 } }); parts].into();
+            r["nodes"][0]["children"] = vec![1; nodes].into();
+        })
+    };
+    assert_eq!(read(&parts(10, 10)).unwrap().parts.len(), 100);
+    assert!(read(&parts(2000, 2000)).unwrap_err().to_string().contains("too often"));
+    assert!(read(&parts(10, 1000)).unwrap_err().to_string().contains("too often"), "a part takes more than its vertex");
+    let cloud = Asset { splats: Some(splats(0)), ..Asset::default() };
+    let again = |times: usize| {
+        let bytes = write(&cloud).unwrap();
+        let (json, bin) = container::split(&bytes).unwrap();
+        let mut root: Value = serde_json::from_slice(json).unwrap();
+        root["scenes"][0]["nodes"] = vec![0; times].into();
+        read(&container::join(root.to_string().as_bytes(), bin).unwrap())
+    };
+    assert_eq!(again(100).unwrap().splats.unwrap().positions.len(), 200);
+    assert!(again(8000).unwrap_err().to_string().contains("too often"), "a splat takes more than a vertex");
     let good = write(&asset()).unwrap();
     for (at, value, says) in
         [(0, b'x', "expected glTF"), (4, 1, "container version 2"), (9, 0xff, "bytes"), (16, b'X', "JSON chunk")]
@@ -163,6 +185,40 @@ fn broken_files_are_refused() {
         assert!(error.contains(says), "{error:?} should say {says:?}");
     }
     assert!((0..good.len()).all(|n| read(&good[..n]).is_err()));
+}
+
+/// The texture coordinates of a square whose own are its corners', under a base colour of such a texture.
+fn square(texture: Value) -> Vec<[f32; 2]> {
+    let bytes = foreign(|r| {
+        r["extensionsRequired"] = json!(["KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_specular"]);
+        r["materials"] = json!([{ "pbrMetallicRoughness": { "baseColorTexture": texture } }]);
+        r["textures"] = json!([{}]);
+        let (positions, mut corners) = (r["accessors"][0].clone(), r["accessors"][0].clone());
+        corners["type"] = "VEC2".into();
+        r["accessors"] = json!([positions, corners]);
+        let primitive = &mut r["meshes"][0]["primitives"][0];
+        primitive["attributes"]["TEXCOORD_1"] = 1.into();
+        primitive["material"] = 0.into();
+    });
+    read(&bytes).unwrap().parts[0].mesh.uvs.iter().map(|&[u, v]| [u, 1.0 - v]).collect()
+}
+
+#[test]
+fn texture_coordinates_are_the_material_s() {
+    let near = |found: &[[f32; 2]], expected: [[f32; 2]; 4]| {
+        let far = found.as_flattened().iter().zip(expected.as_flattened()).any(|(a, b)| (a - b).abs() > 1e-6);
+        assert!(found.len() == 4 && !far, "{found:?} {expected:?}");
+    };
+    let with = |shift: Value| json!({ "index": 0, "texCoord": 1, "extensions": { "KHR_texture_transform": shift } });
+    near(&square(json!({ "index": 0 })), [[0.0; 2]; 4]);
+    near(&square(json!({ "index": 0, "texCoord": 1 })), [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    let moved = [[0.25, 0.0], [0.75, 0.0], [0.25, 0.5], [0.75, 0.5]];
+    near(&square(with(json!({ "scale": [0.5, 0.5], "offset": [0.25, 0.0] }))), moved);
+    let own = json!({ "scale": [0.5, 0.5], "offset": [0.25, 0.0], "texCoord": 1 });
+    near(&square(json!({ "index": 0, "extensions": { "KHR_texture_transform": own } })), moved);
+    // The extension's own example: the lower left quarter of the picture, turned.
+    let quarter = json!({ "offset": [0.0, 1.0], "rotation": std::f64::consts::FRAC_PI_2, "scale": [0.5, 0.5] });
+    near(&square(with(quarter)), [[0.0, 1.0], [0.0, 0.5], [0.5, 1.0], [0.5, 0.5]]);
 }
 
 #[test]
