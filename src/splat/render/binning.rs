@@ -1,6 +1,8 @@
 //! Which splats touch which tile, front to back: radix sort by depth, then a counting sort into tiles with the exact
 //! test of an ellipse against a row of tiles.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::projection::{Geometry, NEAR, Shown, View, color};
@@ -12,6 +14,9 @@ pub const TILE: usize = 16;
 /// Gaussians a parallel job; fixed, so that no result depends on the number of threads.
 const CHUNK: usize = 512;
 const CULLED: u32 = u32::MAX;
+/// Intersections that are listed at a time: 8 bytes each, 1 GiB in all; 36 more each on the way back, 4.5 GiB. A picture of more
+/// is drawn in bands of tiles.
+const MOST_PAIRS: u64 = 1 << 27;
 
 /// One splat as the rasteriser reads it: log₂ α = a dx² + b dx dy + c dy² + level.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,11 +57,15 @@ pub struct Bins {
     scratch: Vec<(u32, u32)>,
     projected: Vec<(Splat, Bounds)>,
     spans: Vec<Vec<Span>>,
+    /// Splats that touch each tile.
+    counts: Vec<u32>,
+    /// Tiles whose intersections are listed together: all of them, or as many as the limit allows; at least one.
+    bands: Vec<Range<usize>>,
     /// Intersections of rank r are numbered `slots[r]..slots[r + 1]`.
     slots: Vec<u32>,
     /// Where in `list` each intersection stands.
     places: Vec<u32>,
-    /// Tile t's splats are `list[starts[t]..starts[t + 1]]`, ranks ascending.
+    /// Of the tiles of the band that is listed; of no others. Tile t's splats are `list[starts[t]..starts[t + 1]]`, ranks ascending.
     pub starts: Vec<u32>,
     pub list: Vec<u32>,
 }
@@ -155,6 +164,11 @@ impl Kernel for Gather<'_> {
 impl Bins {
     /// Projects, sorts and bins. Harmonics above `degree` count as 0.
     pub fn build(&mut self, gaussians: &Packed, view: &View, degree: usize) {
+        self.build_within(gaussians, view, degree, MOST_PAIRS);
+    }
+
+    /// The same, with at most `most` intersections listed at a time, or those of one tile.
+    pub fn build_within(&mut self, gaussians: &Packed, view: &View, degree: usize, most: u64) {
         let n = gaussians.len();
         self.tiles_x = view.width.div_ceil(TILE);
         self.tiles_y = view.height.div_ceil(TILE);
@@ -167,7 +181,20 @@ impl Bins {
             .for_each(|(c, (out, ranks))| dispatch(Project { gaussians, view, degree, start: c * CHUNK, out, ranks }));
         self.sort();
         self.gather();
-        self.place();
+        self.count(most);
+        if self.bands.len() == 1 {
+            self.place(0);
+        }
+    }
+
+    /// Into how many bands the picture is cut. Those of several are listed by [`Bins::place`] when they are wanted.
+    pub fn bands(&self) -> usize {
+        self.bands.len()
+    }
+
+    /// The tiles of a band.
+    pub fn band(&self, band: usize) -> Range<usize> {
+        self.bands[band].clone()
     }
 
     /// Stable radix sort by depth; `ranks` holds the depth's bits on the way in, ranks on the way out.
@@ -224,20 +251,51 @@ impl Bins {
             });
     }
 
-    /// Counting sort of the intersections into tiles; ranks ascend in each because they are met in order.
-    fn place(&mut self) {
+    /// Counts what touches each tile, and cuts the picture into bands.
+    fn count(&mut self, most: u64) {
         let tiles = self.tiles_x * self.tiles_y;
-        self.starts.clear();
-        self.starts.resize(tiles + 1, 0);
+        self.counts.clear();
+        self.counts.resize(tiles, 0);
         for s in self.spans.iter().flatten() {
             let row = s.row as usize * self.tiles_x;
             for t in s.first as usize..s.end as usize {
-                self.starts[row + t + 1] += 1;
+                self.counts[row + t] += 1;
             }
         }
-        for t in 0..tiles {
-            self.starts[t + 1] += self.starts[t];
+        self.bands.clear();
+        let (mut first, mut pairs) = (0, 0);
+        for (t, count) in self.counts.iter().enumerate() {
+            // Whoever has nothing fits in.
+            if *count > 0 && t > first && pairs + u64::from(*count) > most {
+                self.bands.push(first..t);
+                (first, pairs) = (t, 0);
+            }
+            pairs += u64::from(*count);
         }
+        self.bands.push(first..tiles);
+    }
+
+    /// `starts` of the lists of a band; those of tiles without any elsewhere.
+    fn begin(&mut self, listed: impl Fn(usize, u32) -> u32) {
+        self.starts.clear();
+        self.starts.push(0);
+        let mut sum = 0;
+        for (t, count) in self.counts.iter().enumerate() {
+            sum += listed(t, *count);
+            self.starts.push(sum);
+        }
+    }
+
+    /// Leaves in `starts` only which tiles anything touches: the lists of several bands are not there together.
+    pub fn mark(&mut self) {
+        self.begin(|_, count| count.min(1));
+    }
+
+    /// Counting sort of a band's intersections into tiles; ranks ascend in each because they are met in order.
+    pub fn place(&mut self, band: usize) {
+        let tiles = self.tiles_x * self.tiles_y;
+        let band = self.band(band);
+        self.begin(|t, count| if band.contains(&t) { count } else { 0 });
         let total = self.starts[tiles] as usize;
         self.list.resize(total, 0);
         self.places.resize(total, 0);
@@ -249,7 +307,7 @@ impl Bins {
                 self.slots.push(k as u32);
             }
             let row = s.row as usize * self.tiles_x;
-            for t in row + s.first as usize..row + s.end as usize {
+            for t in (row + s.first as usize).max(band.start)..(row + s.end as usize).min(band.end) {
                 let place = self.starts[t];
                 self.starts[t] += 1;
                 self.list[place as usize] = s.rank;
@@ -264,13 +322,16 @@ impl Bins {
         self.starts[0] = 0;
     }
 
-    /// The places in `list` of one Gaussian's intersections, in a fixed order.
+    /// Depth rank of one Gaussian, if it is drawn.
     #[inline]
-    pub fn places_of(&self, gaussian: usize) -> &[u32] {
-        match self.ranks[gaussian] {
-            CULLED => &[],
-            r => &self.places[self.slots[r as usize] as usize..self.slots[r as usize + 1] as usize],
-        }
+    pub fn rank_of(&self, gaussian: usize) -> Option<usize> {
+        Some(self.ranks[gaussian]).filter(|r| *r != CULLED).map(|r| r as usize)
+    }
+
+    /// The places in `list` of the intersections of a depth rank, in a fixed order.
+    #[inline]
+    pub fn places_of(&self, rank: usize) -> &[u32] {
+        &self.places[self.slots[rank] as usize..self.slots[rank + 1] as usize]
     }
 }
 

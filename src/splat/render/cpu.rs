@@ -1,5 +1,6 @@
 //! The CPU renderer: one picture from a set of Gaussians.
 
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
@@ -122,32 +123,69 @@ pub(crate) struct Raster {
     pub bins: Bins,
     pub tiles: Vec<TilePixels>,
     gradients: Vec<SplatGradient>,
+    /// By depth rank, of pictures in several bands: what their intersections come to.
+    sums: Vec<[f32; 9]>,
 }
 
 impl Raster {
     /// Draws what [`Bins::build`] sorted.
-    pub fn forward(&mut self, view: &View, depths: Option<&mut Vec<TileDepth>>) {
+    pub fn forward(&mut self, view: &View, mut depths: Option<&mut Vec<TileDepth>>) {
         debug_assert_eq!(view.width.div_ceil(TILE), self.bins.tiles_x);
-        let bins = &self.bins;
-        let count = bins.tiles_x * bins.tiles_y;
+        let count = self.bins.tiles_x * self.bins.tiles_y;
         self.tiles.resize(count, TilePixels::default());
+        if let Some(depths) = &mut depths {
+            depths.resize(count, TileDepth::default());
+        }
+        let bands = self.bins.bands();
+        for band in 0..bands {
+            if bands > 1 {
+                self.bins.place(band);
+            }
+            self.forward_band(self.bins.band(band), depths.as_deref_mut());
+        }
+        if bands > 1 {
+            self.bins.mark();
+        }
+    }
+
+    /// Draws the tiles of a band whose lists are there.
+    fn forward_band(&mut self, band: Range<usize>, depths: Option<&mut Vec<TileDepth>>) {
+        let bins = &self.bins;
         let one = |t: usize, pixels: &mut TilePixels, depth: Option<&mut TileDepth>| {
             let list = &bins.list[bins.starts[t] as usize..bins.starts[t + 1] as usize];
             let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
             dispatch(Forward { splats: &bins.splats, list, x0, y0, pixels, depth });
         };
+        let first = band.start;
+        let tiles = &mut self.tiles[band.clone()];
         match depths {
-            None => self.tiles.par_iter_mut().enumerate().for_each(|(t, p)| one(t, p, None)),
+            None => tiles.par_iter_mut().enumerate().for_each(|(t, p)| one(first + t, p, None)),
             Some(depths) => {
-                depths.resize(count, TileDepth::default());
-                let pairs = self.tiles.par_iter_mut().zip(depths.par_iter_mut());
-                pairs.enumerate().for_each(|(t, (p, d))| one(t, p, Some(d)));
+                let pairs = tiles.par_iter_mut().zip(depths[band].par_iter_mut());
+                pairs.enumerate().for_each(|(t, (p, d))| one(first + t, p, Some(d)));
             }
         }
     }
 
     /// The gradient of every intersection, from the loss's gradient of every tile.
     pub fn backward(&mut self, loss: &[TileLoss]) {
+        self.sums.clear();
+        let bands = self.bins.bands();
+        if bands == 1 {
+            return self.backward_band(loss);
+        }
+        self.sums.resize(self.bins.splats.len(), [0.0; 9]);
+        for band in 0..bands {
+            self.bins.place(band);
+            self.backward_band(loss);
+            let (bins, gradients) = (&self.bins, &self.gradients);
+            // Bands follow one another as a Gaussian's tiles do: the same terms in the same order as of one band.
+            self.sums.par_iter_mut().enumerate().for_each(|(rank, sum)| add(sum, bins.places_of(rank), gradients));
+        }
+    }
+
+    /// The same of the tiles whose lists are there.
+    fn backward_band(&mut self, loss: &[TileLoss]) {
         let bins = &self.bins;
         self.gradients.resize(bins.list.len(), SplatGradient::default());
         let mut rest = self.gradients.as_mut_slice();
@@ -167,13 +205,11 @@ impl Raster {
     /// One Gaussian's gradient: its tiles added in a fixed order. None where no pixel depends on it.
     #[inline(always)]
     pub fn gradient_of(&self, gaussian: usize) -> Option<SplatGradient> {
+        let rank = self.bins.rank_of(gaussian)?;
         let mut sum = [0.0f32; 9];
-        for place in self.bins.places_of(gaussian) {
-            let g = &self.gradients[*place as usize];
-            let terms = [g.g, g.x, g.y, g.xx, g.xy, g.yy, g.color[0], g.color[1], g.color[2]];
-            for (s, t) in sum.iter_mut().zip(terms) {
-                *s += t;
-            }
+        match self.sums.get(rank) {
+            Some(whole) => sum = *whole,
+            None => add(&mut sum, self.bins.places_of(rank), &self.gradients),
         }
         let [g, x, y, xx, xy, yy, r, gr, b] = sum;
         (sum != [0.0; 9]).then_some(SplatGradient { g, x, y, xx, xy, yy, color: [r, gr, b] })
@@ -214,6 +250,18 @@ impl Raster {
             rows.enumerate().for_each(|(r, ((d, m), a))| measure(r, d, m, a));
         }
         Frame { width, height, color, alpha, depth, median_depth }
+    }
+}
+
+/// Adds the gradients of some intersections.
+#[inline(always)]
+fn add(sum: &mut [f32; 9], places: &[u32], gradients: &[SplatGradient]) {
+    for place in places {
+        let g = &gradients[*place as usize];
+        let terms = [g.g, g.x, g.y, g.xx, g.xy, g.yy, g.color[0], g.color[1], g.color[2]];
+        for (s, t) in sum.iter_mut().zip(terms) {
+            *s += t;
+        }
     }
 }
 

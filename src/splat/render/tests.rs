@@ -243,6 +243,35 @@ fn check_gradients(g: &Gaussians, camera: &Camera, seed: u64, shown: Shown) {
     }
 }
 
+/// Large ones touch nearly every tile: drawn in bands, down to a tile each, they are the same picture with the same way back.
+#[test]
+fn bands_do_not_change_a_byte() {
+    let (g, c) = (scene(300, 0.8, 21), camera(93, 70));
+    let (packed, view) = (Packed::pack(&g), View::new(&c));
+    let run = |most: u64| {
+        let (mut raster, mut depths) = (Raster::default(), Vec::new());
+        raster.bins.build_within(&packed, &view, 3, most);
+        raster.forward(&view, Some(&mut depths));
+        let touched: Vec<bool> = raster.bins.starts.windows(2).map(|w| w[0] < w[1]).collect();
+        let mut loss = vec![TileLoss::default(); raster.tiles.len()];
+        let all = loss.iter_mut().flat_map(|t| t.color.iter_mut().flatten().chain(&mut t.transmittance));
+        all.enumerate().for_each(|(i, v)| *v = (i as f32 * 0.37).sin());
+        raster.backward(&loss);
+        let gradients: Vec<_> = (0..g.len()).map(|i| raster.gradient_of(i)).collect();
+        let tiles: Vec<_> = raster.tiles.iter().map(|t| (t.transmittance, t.color, t.used)).collect();
+        let depths: Vec<_> = depths.iter().map(|d| (d.expected, d.median)).collect();
+        (raster.bins.bands(), raster.bins.list.len(), (tiles, depths, touched, gradients))
+    };
+    let (bands, pairs, whole) = run(u64::MAX);
+    assert!(bands == 1 && pairs > 2000 && whole.3.iter().any(Option::is_some), "{pairs} pairs");
+    for (most, least) in [(pairs as u64, 1), (pairs as u64 / 3, 3), (1, 20)] {
+        let (bands, listed, parts) = run(most);
+        assert!(bands >= least && (bands == 1) == (least == 1), "{bands} bands");
+        assert!(listed <= most.max(300) as usize, "{listed} of {most} pairs");
+        assert!(parts == whole, "{bands} bands");
+    }
+}
+
 #[test]
 fn threads_do_not_change_a_byte() {
     let (g, c) = (scene(3000, 0.03, 20), camera(200, 150));
