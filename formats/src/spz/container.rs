@@ -31,6 +31,11 @@ const MAX_EXTENSIONS: u64 = 1 << 20;
 /// What may always be unfolded, and how many times its own size a file may unfold to beyond that.
 const ALWAYS: usize = 1 << 20;
 const RATIO: usize = 200;
+/// The same of what the splats take in memory, which is twelve times as much and more. Real scans have five bytes a splat and
+/// more, as the low bits of positions are noise: they unfold to 50 times their size at most.
+const ALWAYS_HELD: usize = 16 << 20;
+/// Bytes of a splat in memory: position, scales, rotation, opacity, harmonics.
+const HELD: usize = 4 * (3 + 3 + 4 + 1 + 48);
 
 /// A file of streams.
 pub fn join(header: &Header, streams: &[Vec<u8>; 6], comment: &str) -> Result<Vec<u8>> {
@@ -289,8 +294,11 @@ fn read_head(bytes: &[u8]) -> Result<(Header, u8)> {
 }
 
 fn check_ratio(header: &Header, size: usize) -> Result<()> {
-    let unfolded = header.sizes().iter().sum::<usize>();
-    if unfolded > ALWAYS && unfolded / RATIO > size {
+    let streams = header.sizes().iter().sum::<usize>();
+    let held = header.count.saturating_mul(HELD);
+    let over = |unfolded: usize, always: usize| unfolded > always && unfolded / RATIO > size;
+    if over(streams, ALWAYS) || over(held, ALWAYS_HELD) {
+        let unfolded = streams.max(held);
         let what = format!("{} splats would unfold to {unfolded} bytes, from a file of {size}", header.count);
         return Err(Error::unsupported(FORMAT, what));
     }

@@ -137,7 +137,7 @@ pub fn write(splats: &Splats, options: &Options) -> Result<Vec<u8>> {
 ///
 /// # Errors
 /// [`Error::Malformed`] where the file breaks the format; [`Error::Unsupported`] for other versions, degree 4, and a
-/// file that would unfold to more than 200 times its size (1 MiB is always allowed).
+/// file that would unfold to more than 200 times its size: its streams (1 MiB is always allowed) or the splats in memory (16 MiB).
 pub fn read(bytes: &[u8], axes: Axes) -> Result<(Splats, Info)> {
     let (header, streams, comment) = container::split(bytes)?;
     let info = Info { version: header.version, degree: header.degree, antialiased: header.antialiased, comment };

@@ -210,6 +210,31 @@ fn broken_files_are_refused() {
     for bytes in [&v2, &v4] {
         assert!((0..bytes.len()).all(|n| read(&bytes[..n], Axes::RUB).is_err()));
     }
+    // Equal but for one in twenty: the streams unfold to fewer than 200 times the file, what they become to more.
+    let few = scene(400_000 / 20, 0);
+    let spread = |a: &[[f32; 3]]| a.iter().flat_map(|p| [*p].into_iter().chain([[0.0; 3]; 19])).collect::<Vec<_>>();
+    let alike = Splats {
+        positions: spread(&few.positions),
+        log_scales: vec![[-3.0; 3]; 400_000],
+        rotations: vec![[1.0, 0.0, 0.0, 0.0]; 400_000],
+        logit_opacities: vec![1.0; 400_000],
+        sh: vec![[[0.0; 3]; 16]; 400_000],
+    };
+    for version in VERSIONS {
+        let bytes = write(&alike, &Options { version, ..Options::default() }).unwrap();
+        assert!(bytes.len() > 400_000 * 20 / 200, "{} bytes of {version:?}", bytes.len());
+        let error = read(&bytes, Axes::RUB).unwrap_err().to_string();
+        assert!(error.contains("400000 splats would unfold to 94400000 bytes"), "{error}");
+    }
+    let equal = |count: usize| Splats {
+        positions: vec![[1.0, 2.0, 3.0]; count],
+        log_scales: vec![[-3.0; 3]; count],
+        rotations: vec![[1.0, 0.0, 0.0, 0.0]; count],
+        logit_opacities: vec![1.0; count],
+        sh: vec![[[0.0; 3]; 16]; count],
+    };
+    assert!(read(&write(&equal(500_000), &Options::default()).unwrap(), Axes::RUB).is_err());
+    assert_eq!(read(&write(&equal(50_000), &Options::default()).unwrap(), Axes::RUB).unwrap().0.sh.len(), 50_000);
     let mut bad = scene(2, 0);
     bad.log_scales[1][0] = f32::NAN;
     assert!(write(&bad, &Options::default()).unwrap_err().to_string().contains("splat 1 of 2"));
