@@ -261,7 +261,7 @@ impl Row<'_> {
         if typical {
             let model = library.typical.get(&key);
             self.check_library(model, &key);
-            if model.is_some_and(|m| !m.levels.contains_key(&mlod)) {
+            if model.is_some_and(|m| !m.levels.contains_key(&i32::from(mlod))) {
                 self.add(4, format!("the model {key} has no level of LOD {mlod}"));
             }
             // A feature among the geospecific ones is not held against the tiles of models.

@@ -20,7 +20,7 @@ pub struct LibraryModel {
     pub has_geometry: bool,
     pub has_descriptor: bool,
     /// By level of detail; of a moving model by its place in the file.
-    pub levels: BTreeMap<i8, LevelFacts>,
+    pub levels: BTreeMap<i32, LevelFacts>,
 }
 
 impl LibraryModel {
@@ -92,7 +92,7 @@ pub fn check(store: &dyn ListableStore, paths: &[String], findings: &mut Finding
                 let Some(model) = flt::check_model(file_name(path), &bytes, Zone::AsFile, &mut add) else { continue };
                 check_textures(path, &model, &textures, &mut add);
                 if let Some(facts) = flt::one_level(&model, &bytes, *lod, path, &mut add) {
-                    all.typical.entry(key.clone()).or_default().levels.insert(*lod, facts);
+                    all.typical.entry(key.clone()).or_default().levels.insert((*lod).into(), facts);
                 }
             }
             LibraryFile::TypicalDescriptor { key } => {
@@ -108,7 +108,7 @@ pub fn check(store: &dyn ListableStore, paths: &[String], findings: &mut Finding
                 if *part == 1 {
                     let known = all.moving.entry(*entity).or_default();
                     known.has_geometry = true;
-                    for (i, level) in (0i8..).zip(&model.levels) {
+                    for (i, level) in (0..).zip(&model.levels) {
                         let Some(facts) = LevelFacts::of(level, level.mesh.positions.len(), path) else { continue };
                         flt::check_ground(&facts, &mut add);
                         known.levels.insert(i, facts);
@@ -146,7 +146,7 @@ fn check_whole(key: &str, model: &LibraryModel, dataset: &str, findings: &mut Fi
         }
     }
     let coarsest = model.levels.keys().next().copied().unwrap_or(0);
-    let steps = model.levels.iter().map(|(lod, facts)| ((lod - coarsest).unsigned_abs().into(), facts));
+    let steps = model.levels.iter().map(|(lod, facts)| ((lod - coarsest).unsigned_abs() as usize, facts));
     flt::check_levels(key, steps, findings);
     if let Some(finest) = model.levels.values().next_back() {
         flt::check_centre(finest, key, findings);
