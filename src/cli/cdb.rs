@@ -158,6 +158,14 @@ impl Store for Folder {
     fn exists(&self, path: &str) -> io::Result<bool> {
         Ok(self.root.join(path).is_file())
     }
+
+    fn size(&self, path: &str) -> io::Result<Option<u64>> {
+        match std::fs::metadata(self.root.join(path)) {
+            Ok(there) => Ok(there.is_file().then_some(there.len())),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
 }
 
 /// The versions of a store, newest first, as their readers see them: one store.
@@ -176,6 +184,10 @@ impl Store for Chain {
 
     fn exists(&self, path: &str) -> io::Result<bool> {
         self.versions().exists(path)
+    }
+
+    fn size(&self, path: &str) -> io::Result<Option<u64>> {
+        self.versions().size(path)
     }
 }
 

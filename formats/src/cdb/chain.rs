@@ -59,8 +59,7 @@ impl FeatureChain {
                 true => FeatureTile::read(store, layer, tile, model.dbf_date)?,
                 false => None,
             };
-            // A file of no bytes counts as none, so a tile may be absent although its file is there.
-            let absent = read.is_none() && lod <= reach && (!there[&lod] || lod >= coarsest || next_inherits);
+            let absent = lod <= reach && !there[&lod];
             let written = absent || (read.is_some() && lod >= coarsest);
             let content = match (read, &coarser) {
                 (None, Some(parent)) if absent => Some(parent.inherited(store, tiles[&(lod - 1)], tile)?),

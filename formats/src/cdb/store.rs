@@ -10,9 +10,14 @@ pub trait Store {
     /// A file's bytes; `None` when there is no such file.
     fn read(&self, path: &str) -> io::Result<Option<Vec<u8>>>;
 
-    /// Whether there is such a file.
+    /// Whether there is such a file, be it one of zero bytes, which stands for a deleted one.
     fn exists(&self, path: &str) -> io::Result<bool> {
-        Ok(self.read(path)?.is_some())
+        Ok(self.size(path)?.is_some())
+    }
+
+    /// Bytes of a file; `None` when there is no such file.
+    fn size(&self, path: &str) -> io::Result<Option<u64>> {
+        Ok(self.read(path)?.map(|bytes| bytes.len() as u64))
     }
 }
 
@@ -68,6 +73,15 @@ impl Store for Versions<'_> {
         }
         Ok(false)
     }
+
+    fn size(&self, path: &str) -> io::Result<Option<u64>> {
+        for store in self.of(path) {
+            if let Some(size) = store.size(path)? {
+                return Ok(Some(size));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// A store in memory.
@@ -91,6 +105,10 @@ impl Store for Memory {
     fn exists(&self, path: &str) -> io::Result<bool> {
         Ok(self.files.contains_key(path))
     }
+
+    fn size(&self, path: &str) -> io::Result<Option<u64>> {
+        Ok(self.files.get(path).map(|bytes| bytes.len() as u64))
+    }
 }
 
 impl ListableStore for Memory {
@@ -110,8 +128,11 @@ pub fn read_text(store: &dyn Store, path: &str) -> Result<Option<String>> {
     String::from_utf8(bytes).map(Some).map_err(|e| unreadable(path, &e))
 }
 
+/// Whether [`read`] would find a file: one of zero bytes was deleted.
 pub fn exists(store: &dyn Store, path: &str) -> Result<bool> {
-    store.exists(path).map_err(|e| unreadable(path, &e))
+    // A store may have to read a file to tell its size.
+    let there = || -> io::Result<bool> { Ok(store.exists(path)? && store.size(path)?.is_some_and(|size| size > 0)) };
+    there().map_err(|e| unreadable(path, &e))
 }
 
 /// The error of a file that stands in the way.

@@ -82,6 +82,10 @@ impl Features {
         let mut classes: BTreeMap<(Geocell, String), String> = BTreeMap::new();
         for &tile in &self.tiles {
             let path = names::path(tile, layer.dataset, layer.points(), "shp");
+            // A tile that was deleted has no other files.
+            if !exists(store, &path)? {
+                continue;
+            }
             check_files(store, layer, tile, &self.tiles, &path, findings)?;
             let content = match FeatureTile::read(store, layer, tile, (1900, 1, 1)) {
                 Ok(Some(content)) => content,

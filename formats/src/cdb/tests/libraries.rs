@@ -133,6 +133,43 @@ fn an_entity_type_has_one_model() {
 }
 
 #[test]
+fn a_deleted_model_makes_room_for_another() {
+    let old = store_with(&[moving("Van", 34.5523, -118.4712)]);
+    let mut other = moving("Van", 34.7, -118.4712);
+    other.levels[3].mesh = block(1.8, 4.2, 1.4);
+    assert!(add_version(&old, "../old.cdb", &other).unwrap_err().to_string().contains(ENTITY));
+    // A file of no bytes in a newer version stands for a deleted one.
+    let mut newer = Memory::default();
+    newer.files.extend(paths(&old, "MModel/").into_iter().map(|p| (p.to_string(), vec![])));
+    let chain = Versions::new(vec![&newer, &old]);
+    let added = add_version(&chain, "../newer.cdb", &other).unwrap();
+    assert_eq!(added.model_name, "1_1_225_6_1_0_0");
+    assert!(
+        added.files.iter().any(|f| f.path.contains("/Van_3/")) && added.files.iter().any(|f| f.path.contains("D600_"))
+    );
+    let gone = newer.files.keys().next().unwrap();
+    assert!(chain.exists(gone).unwrap() && !store::exists(&chain, gone).unwrap() && store::exists(&old, gone).unwrap());
+    let mut emptied = old.clone();
+    emptied.files.extend(newer.files);
+    assert!(add_model(&emptied, &other).is_ok());
+}
+
+#[test]
+fn a_moving_model_may_have_many_levels() {
+    let mut store = store_with(&[moving("Van", 34.5523, -118.4712)]);
+    let geometry = store.files.iter_mut().find(|(path, _)| path.contains("D600_")).unwrap().1;
+    let mut model = openflight::read(geometry).unwrap();
+    let mut first = model.levels[0].clone();
+    first.mesh.triangles.truncate(1);
+    let level = |i: u8| openflight::Level { significant_size: 5.0 - 0.03 * f64::from(i), ..first.clone() };
+    model.levels = (0..130).map(level).collect();
+    *geometry = openflight::write(&model).unwrap();
+    assert_eq!(openflight::read(geometry).unwrap().levels.len(), 130);
+    let found: Vec<Finding> = check(&store).unwrap().into_iter().filter(|f| f.rule == 5).collect();
+    assert_eq!(found, [], "sizes that decrease");
+}
+
+#[test]
 fn all_kinds_share_a_store() {
     let place = (34.5523, -118.4712);
     let store = store_with(&[

@@ -364,6 +364,10 @@ impl Store for Counting<'_> {
     fn exists(&self, path: &str) -> std::io::Result<bool> {
         self.0.exists(path)
     }
+
+    fn size(&self, path: &str) -> std::io::Result<Option<u64>> {
+        self.0.size(path)
+    }
 }
 
 #[test]
