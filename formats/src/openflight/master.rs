@@ -118,20 +118,25 @@ pub fn read_master(bytes: &[u8]) -> Result<Master> {
     if let Some(stored) = root.and_then(|n| n.ancillary(opcode::BOUNDING_BOX)) {
         master.bounds = (stored.vec3(8)?, stored.vec3(32)?);
     }
-    for node in tree.nodes.iter().filter(|n| n.record.opcode == opcode::EXTERNAL_REFERENCE) {
+    // Parents come first: one pass, however deep the groups are nested.
+    let mut lods_above: Vec<Option<usize>> = Vec::with_capacity(tree.nodes.len());
+    for node in &tree.nodes {
+        let lod = node.parent.and_then(|p| match tree.nodes[p].record.opcode {
+            opcode::LOD => Some(p),
+            _ => lods_above[p],
+        });
+        lods_above.push(lod);
+        if node.record.opcode != opcode::EXTERNAL_REFERENCE {
+            continue;
+        }
         let mut level = Reference { path: node.record.text(4, 200), ..Reference::default() };
-        let mut above = node.parent;
-        while let Some(parent) = above.and_then(|i| tree.nodes.get(i)) {
-            if parent.record.opcode == opcode::LOD {
-                level.name = parent.name();
-                level.switch_in = parent.record.f64(16)?;
-                level.switch_out = parent.record.f64(24)?;
-                level.center = parent.record.vec3(40)?;
-                level.transition = parent.record.f64(64).unwrap_or(0.0);
-                level.significant_size = parent.record.f64(72).unwrap_or(0.0);
-                break;
-            }
-            above = parent.parent;
+        if let Some(above) = lod.map(|i| &tree.nodes[i]) {
+            level.name = above.name();
+            level.switch_in = above.record.f64(16)?;
+            level.switch_out = above.record.f64(24)?;
+            level.center = above.record.vec3(40)?;
+            level.transition = above.record.f64(64).unwrap_or(0.0);
+            level.significant_size = above.record.f64(72).unwrap_or(0.0);
         }
         master.levels.push(level);
     }
@@ -171,6 +176,34 @@ mod tests {
         for end in 0..bytes.len() - 4 {
             assert!(read_master(&bytes[..end]).map_or(true, |m| m.levels.is_empty()), "{end}");
         }
+    }
+
+    #[test]
+    fn references_below_many_groups_are_read_in_one_pass() {
+        const DEEP: usize = 50_000;
+        let mut out = Writer::with_capacity(0);
+        Header::around("", None, ([0.0; 3], [1.0; 3])).write(&mut out);
+        out.control(opcode::PUSH);
+        write_lod_record(&mut out, "outer", 1, [100.0, 0.0, 0.0, 1.0], &[0.0; 3]);
+        out.control(opcode::PUSH);
+        for _ in 0..DEEP {
+            out.begin(opcode::GROUP);
+            out.text("g", 8);
+            out.zeros(32);
+            out.end();
+            out.control(opcode::PUSH);
+        }
+        for _ in 0..DEEP {
+            out.begin(opcode::EXTERNAL_REFERENCE);
+            out.text("a.flt", 200);
+            out.zeros(12);
+            out.end();
+        }
+        (0..DEEP + 2).for_each(|_| out.control(opcode::POP));
+        let began = std::time::Instant::now();
+        let levels = read_master(&out.bytes).unwrap().levels;
+        assert!(began.elapsed().as_secs_f64() < 2.0, "{:?}", began.elapsed());
+        assert!(levels.len() == DEEP && levels.iter().all(|l| l.switch_in == 100.0 && l.significant_size == 1.0));
     }
 
     #[test]
