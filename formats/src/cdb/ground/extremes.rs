@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::{heights, imagery_grid, place_in_parent, side};
-use crate::cdb::geocell::Tile;
+use crate::cdb::geocell::{Geocell, Tile, rows};
 use crate::cdb::names::{self, ELEVATION, MIN_MAX_ELEVATION};
 use crate::cdb::store::{self, Store};
 use crate::{File, Result, geotiff};
@@ -78,31 +78,46 @@ impl Extremes {
     fn widen(&mut self, tile: Tile, terrain: &BTreeMap<Tile, Vec<f32>>) {
         let n = side(tile.lod) as usize;
         let Some(own) = terrain.get(&tile) else { return };
-        let [_, west, north, east] = tile.bounds();
-        let middle = |latitude: f64, longitude: f64| Tile::containing(latitude, longitude, tile.lod).ok();
-        let (half_up, half_right) = ((north - tile.bounds()[0]) / 2.0, (east - west) / 2.0);
-        let of = |up: bool, right: bool| {
-            let latitude = if up { north + half_up } else { north - half_up };
-            let longitude = if right { east + half_right } else { east - half_right };
-            middle(latitude, longitude).and_then(|t| terrain.get(&t))
-        };
-        let (above, beside, across) = (of(true, false), of(false, true), of(true, true));
-        // Rows count from the north: the row above the first is the last of the tile above.
-        let post = |column: usize, row: Option<usize>| {
-            let (raster, row, inside) = match (row, column < n) {
-                (Some(row), true) => (Some(own), row, own[row * n + column]),
-                (Some(row), false) => (beside, row, own[row * n + n - 1]),
-                (None, true) => (above, n - 1, own[column]),
-                (None, false) => (across, n - 1, own[n - 1]),
-            };
-            raster.and_then(|r| r.get(row * n + column % n)).copied().unwrap_or(inside)
+        let [south, west, north, east] = tile.bounds();
+        let (middle, half) = ((west + east) / 2.0, (north - south) / 2.0);
+        // 180° is the west of the first cell.
+        let longitude = if east >= 180.0 { middle + (east - west) - 360.0 } else { middle + (east - west) };
+        let beside = Tile::containing(north - half, longitude, tile.lod).ok().and_then(|t| terrain.get(&t));
+        let post = |column: usize, row: usize| match column < n {
+            true => own[row * n + column],
+            false => beside.and_then(|r| r.get(row * n)).copied().unwrap_or(own[row * n + n - 1]),
         };
         for row in 0..n {
-            let north = row.checked_sub(1);
+            // Rows count from the north: those above the first are of other tiles.
+            let north = row.saturating_sub(1);
             for column in 0..n {
-                let corners = [(column, Some(row)), (column + 1, Some(row)), (column, north), (column + 1, north)];
+                let corners = [(column, row), (column + 1, row), (column, north), (column + 1, north)];
                 for height in corners.map(|(column, row)| post(column, row)) {
                     self.add(row * n + column, height, height);
+                }
+            }
+        }
+        if let Ok(above) = Tile::containing(north + half, middle, tile.lod) {
+            self.widen_north(tile, above, terrain);
+        }
+    }
+
+    /// The first row, by the last posts of the tiles above, which are of another width where geocells change theirs: all from
+    /// the one at or before a cell's western edge to the one at or after its eastern edge.
+    fn widen_north(&mut self, tile: Tile, above: Tile, terrain: &BTreeMap<Tile, Vec<f32>>) {
+        let (n, across) = (side(tile.lod) as usize, rows(tile.lod) as usize);
+        // Posts are counted from 180° west.
+        let [own_width, width] = [tile, above].map(|t| t.cell.width().unsigned_abs() as usize);
+        let first = ((tile.cell.west + 180).unsigned_abs() as usize / own_width * across + tile.right as usize) * n;
+        let around = 360 / width * across * n;
+        for column in 0..n {
+            let (from, to) = (first + column, first + column + 1);
+            for post in from * own_width / width..=(to * own_width).div_ceil(width) {
+                let post = post % around;
+                let cell = Geocell { west: (post / (across * n) * width) as i32 - 180, ..above.cell };
+                let there = Tile { cell, right: (post / n % across) as u32, ..above };
+                if let Some(height) = terrain.get(&there).and_then(|r| r.get((n - 1) * n + post % n)) {
+                    self.add(column, *height, *height);
                 }
             }
         }

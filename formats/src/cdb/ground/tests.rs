@@ -123,6 +123,46 @@ fn the_lowest_and_highest_bound_the_terrain_and_nothing_more() {
     assert_eq!(bounds(-10, HIGHEST), [all.iter().copied().fold(f32::NEG_INFINITY, f32::max)]);
 }
 
+/// The lowest and highest of a tile whose neighbours are known too.
+fn extremes_of(tile: Tile, terrain: &BTreeMap<Tile, Vec<f32>>) -> [Vec<f32>; 2] {
+    let mut store = Memory::default();
+    store.write(extremes::tiles(&cdb::Empty, terrain, "").unwrap().0);
+    [LOWEST, HIGHEST].map(|of| super::heights(&store, tile, names::MIN_MAX_ELEVATION, of).unwrap().unwrap())
+}
+
+#[test]
+fn the_lowest_and_highest_know_where_geocells_change_their_width() {
+    // Tiles of 16² posts: away from the equator geocells are twice as wide, and so are the steps between their posts.
+    let sloping = |latitude: f64, longitude: f64| {
+        let tile = Tile::containing(latitude, longitude, -6).unwrap();
+        let grid = elevation_grid(tile);
+        (tile, (0..256).map(|i| (64.0 * grid::at(&grid, i % 16, i / 16).1) as f32).collect::<Vec<_>>())
+    };
+    // From one degree to two, and from two to one and one.
+    for (latitude, all, step, above) in
+        [(49.5, vec![(50.5, 10.5)], 4, 8), (-50.5, vec![(-49.5, 10.5), (-49.5, 11.5), (-49.5, 12.5)], 8, 4)]
+    {
+        let own = sloping(latitude, 10.5);
+        let tile = own.0;
+        assert_eq!(tile.bounds()[1], 10.0);
+        let terrain = all.into_iter().map(|(a, b)| sloping(a, b)).chain([own]).collect();
+        let [low, high] = extremes_of(tile, &terrain);
+        for column in 0..16 {
+            let (from, to): (usize, usize) = (step * column, step * (column + 1));
+            // The last post on the east is a neighbour's, which only the row above has.
+            let expected = [from / above * above, to.div_ceil(above) * above].map(|h: usize| (640 + h) as f32);
+            assert_eq!([low[column], high[column]], expected, "{latitude} {column}");
+        }
+    }
+    // The neighbour in the east, over the date line.
+    let level = |longitude: f64, height: f32| (Tile::containing(10.5, longitude, -6).unwrap(), vec![height; 256]);
+    let (here, there) = (level(179.5, 100.0), level(-179.5, 500.0));
+    let tile = here.0;
+    let [low, high] = extremes_of(tile, &BTreeMap::from([here, there]));
+    let of_row = |c: usize| [low[16 + c], high[16 + c]];
+    assert_eq!([of_row(14), of_row(15)], [[100.0, 100.0], [100.0, 500.0]]);
+}
+
 #[test]
 fn wrong_bounds_and_lost_halves_are_found() {
     let mut store = Memory::default();
