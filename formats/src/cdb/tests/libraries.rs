@@ -161,7 +161,11 @@ fn a_moving_model_may_have_many_levels() {
     let mut model = openflight::read(geometry).unwrap();
     let mut first = model.levels[0].clone();
     first.mesh.triangles.truncate(1);
-    let level = |i: u8| openflight::Level { significant_size: 5.0 - 0.03 * f64::from(i), ..first.clone() };
+    let level = |i: u8| openflight::Level {
+        name: format!("Van_{i}"),
+        significant_size: 5.0 - 0.03 * f64::from(i),
+        ..first.clone()
+    };
     model.levels = (0..130).map(level).collect();
     *geometry = openflight::write(&model).unwrap();
     assert_eq!(openflight::read(geometry).unwrap().levels.len(), 130);
