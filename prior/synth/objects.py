@@ -14,6 +14,7 @@ from .beasts import beast
 from .buildings import house, mast, store, tower
 from .carried import carried
 from .characters import character, rider
+from .compositions import assembly, composition, framework
 from .craft import helicopter, plane, ship, trawler
 from .creatures import animal_bust, bird, bust, quadruped, soft_toy
 from .crews import crew
@@ -231,6 +232,9 @@ MAKERS = [
     (public_building, 14),
     (kitbash, 5),
     (blob, 9),
+    (composition, 90),
+    (assembly, 55),
+    (framework, 55),
 ]
 
 
@@ -246,7 +250,7 @@ SLENDER = {
     *(warplane, helicopter_type, motorbike, light_vehicle, four_legged, other_animal, posed_person, soldier_kit, strongpoint, ruin, open_building),
     *(sporty, vintage, heavy, railcraft, patrol, two_wheeler, sculpture, people_dressed, furnishing, playground, machine),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
-    *(figure, person, quadruped, bird, seat, furniture, instrument),
+    *(figure, person, quadruped, bird, seat, furniture, instrument, framework),
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
@@ -254,6 +258,7 @@ ANGULAR = {
     *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier, large_furniture),
     *(helicopter_type, strongpoint, ruin, open_building, public_building),
     *(launcher, sensor_truck, installation, airfield, monumental, railcraft, dwelling, town_building, patrol, furnishing, playground, machine),
+    *(assembly,),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
