@@ -176,11 +176,11 @@ def best_place(truth, place, drawn_at, steps):
         for part in (1, 0.5, 0.25):
             tried = scale * (wanted / scale) ** part, shift + part * (aim - shift)
             there = drawn_at(tried)
-            if fit(there) > reached:
+            if (fits := fit(there)) > reached:
                 break
         else:
             break
-        place, drawn, reached = tried, there, fit(there)
+        place, drawn, reached = tried, there, fits
     return place, drawn
 
 

@@ -131,8 +131,8 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
         made, covered = evaluate.rendered(answer, elevation, azimuth, size, views, place)
         return made, covered.cpu().numpy()
 
-    place, _ = best_place(silhouettes, (1.0, np.zeros(3)), drawn_at, FITS)
-    drawn = evaluate.rendered(answer, elevation, azimuth, size, views, place)
+    _, (made, covered) = best_place(silhouettes, (1.0, np.zeros(3)), drawn_at, FITS)
+    drawn = made, torch.from_numpy(covered).to(made.device)
     placed = evaluate.view_scores(*drawn, colour, alpha, views)
     if graph:
         perceived.append(lpips(graph, drawn[0], colour))
