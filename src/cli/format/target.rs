@@ -92,6 +92,14 @@ impl cdb::Store for OpenStore {
     fn exists(&self, path: &str) -> std::io::Result<bool> {
         self.root.join(path).try_exists()
     }
+
+    fn size(&self, path: &str) -> std::io::Result<Option<u64>> {
+        match std::fs::metadata(self.root.join(path)) {
+            Ok(file) => Ok(Some(file.len())),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
 }
 
 /// Into the published folder, or into the store that was named. Returns the model's name there.

@@ -93,6 +93,14 @@ impl Store for Growing {
             _ => Ok(self.store.files.contains_key(path)),
         }
     }
+
+    fn size(&self, path: &str) -> std::io::Result<Option<u64>> {
+        match (self.store.files.get(path), &self.there) {
+            (Some(bytes), _) => Ok(Some(bytes.len() as u64)),
+            (None, Some(there)) => there.size(path),
+            (None, None) => Ok(None),
+        }
+    }
 }
 
 /// How it is made.
