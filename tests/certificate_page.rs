@@ -4,20 +4,16 @@
 //! The browser has no certificate itself: a bridge before the server has, which speaks TLS to either side.
 #![cfg(all(feature = "serve", unix))]
 
-mod browser;
-mod certified;
-mod served;
-
 use std::sync::Arc;
 
-use browser::Browser;
-use certified::{Certificates, ask, get, stop};
+use crate::browser::Browser;
+use crate::certified::{Certificates, ask, get, stop};
+use crate::served::{Served, account, orb};
 use rustls::ServerConfig;
 use rustls::crypto::aws_lc_rs::default_provider;
 use rustls::pki_types::pem::PemObject as _;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer, ServerName};
 use rustls::version::TLS13;
-use served::{Served, account, orb};
 use tokio::io::{AsyncWriteExt as _, copy_bidirectional};
 use tokio::net::{TcpListener, TcpStream};
 use tokio_rustls::{TlsAcceptor, TlsConnector};

@@ -1,11 +1,9 @@
 //! `orb geo` and `orb reconstruct` of a folder of photos, from the outside, on photos whose truth is known.
 
-mod sets;
-
 use std::path::Path;
 
+use crate::sets::{Bench, json};
 use serde_json::Value;
-use sets::{Bench, json};
 
 fn record(folder: &Path) -> Value {
     let envelope = json(&folder.join("orb-record.dsse.json"));

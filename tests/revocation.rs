@@ -2,20 +2,17 @@
 //! taken; what they revoke is gone, on connections and in sessions that were there before too.
 #![cfg(all(feature = "serve", unix))]
 
-mod certified;
-mod served;
-
 use std::fs::File;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use certified::{Certificates, ask, get, stop};
+use crate::certified::{Certificates, ask, get, stop};
+use crate::served::{Served, account, orb};
 use rustls::pki_types::ServerName;
 use rustls::version::TLS13;
 use rustls::{ClientConfig, ClientConnection, StreamOwned};
-use served::{Served, account, orb};
 
 /// For a file that changed to be seen, on a machine that has other work too.
 const PATIENCE: Duration = Duration::from_secs(60);

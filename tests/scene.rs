@@ -1,21 +1,18 @@
 //! `orb train` from the outside, on made places whose truth is known.
 
-#[path = "scene/blocks.rs"]
 mod blocks;
-#[path = "scene/poses.rs"]
 mod poses;
-mod sets;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
+use crate::sets::{Bench, json};
 use orb::geo::{Ecef, Geodetic, HeadingSource, Placement, convex_hull};
 use orb_formats::cdb::geocell::Tile;
 use orb_formats::cdb::names;
 use orb_formats::{geotiff, glb, tiles3d};
 use serde_json::Value;
-use sets::{Bench, json};
 
 fn predicate(folder: &Path) -> Value {
     use base64::Engine;

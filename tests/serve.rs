@@ -3,17 +3,14 @@
 //! ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(feature = "serve")]
 
-mod browser;
-mod served;
-
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use browser::Browser;
+use crate::browser::Browser;
+use crate::served::{Served, account, orb};
 use serde_json::Value;
-use served::{Served, account, orb};
 
 /// For a job, on a machine that has other work too.
 const WORK: Duration = Duration::from_secs(300);

@@ -2,15 +2,13 @@
 //! password that nobody sees. Without PostgreSQL this says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(all(feature = "serve", target_os = "linux"))]
 
-mod cluster;
-mod served;
-
 use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use crate::cluster;
+use crate::served::{Served, orb};
 use serde_json::Value;
-use served::{Served, orb};
 
 /// For a job, on a machine that has other work too.
 const WORK: Duration = Duration::from_secs(300);

@@ -2,21 +2,18 @@
 //! the files; who dawdles. Without openssl on the PATH that part says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(feature = "serve")]
 
-mod certified;
-mod served;
-
 use std::io::{self, Read as _, Write as _};
 use std::net::TcpStream;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 #[cfg(unix)]
-use certified::stop;
-use certified::{Certificates, ask, get, set_mode};
+use crate::certified::stop;
+use crate::certified::{Certificates, ask, get, set_mode};
+use crate::served::{Served, account, orb};
 use rustls::pki_types::CertificateDer;
 use rustls::pki_types::pem::PemObject as _;
 use rustls::version::{TLS12, TLS13};
-use served::{Served, account, orb};
 
 #[test]
 fn what_is_asked_under_tls_is_answered_under_tls() {

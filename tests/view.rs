@@ -2,17 +2,14 @@
 //! Chromium that test says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(feature = "view")]
 
-mod browser;
-mod viewed;
-
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use browser::Browser;
-use viewed::{Viewer, status};
+use crate::browser::Browser;
+use crate::viewed::{Viewer, status};
 
 /// Two red balls, 2 m apart along x, 1 m above the ground, in a scene of Orb's with a place and a marking.
 fn balls(folder: &Path, marking: &str) -> PathBuf {
@@ -133,7 +130,9 @@ fn memory_stays_flat_rest_costs_nothing_and_an_interrupt_ends_it() {
     let mut stream = BufReader::new(TcpStream::connect(viewer.host()).unwrap());
     let mut picture = |az: usize| {
         let path = viewer.path(&format!("frame?w=160&h=90&rest=false&az={az}"));
-        write!(stream.get_mut(), "GET {path} HTTP/1.1\r\nHost: {}\r\n\r\n", viewer.host()).unwrap();
+        // In one piece: pieces would each wait for the one before to be acknowledged.
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {}\r\n\r\n", viewer.host());
+        stream.get_mut().write_all(request.as_bytes()).unwrap();
         let (mut line, mut length) = (String::new(), 0);
         while line != "\r\n" {
             line.clear();

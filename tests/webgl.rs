@@ -3,15 +3,12 @@
 //! viewer/, that says so and passes; under ORB_REQUIRE_CLIENTS=1 it fails.
 #![cfg(feature = "view")]
 
-mod browser;
-mod viewed;
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use browser::Browser;
+use crate::browser::Browser;
+use crate::viewed::{Viewer, status};
 use image::RgbImage;
-use viewed::{Viewer, status};
 
 /// Peak signal to noise ratio in dB that the two pictures of a camera have at least. Found: 43.1 and more; of the same
 /// picture mirrored or upside down 21.5 and less.
