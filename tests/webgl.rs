@@ -242,7 +242,7 @@ fn a_browser_without_webgl_gets_the_servers_pictures() {
 }
 
 /// Of the scene that ORB_WEBGL_SCENE names: how long until the first picture, how many a second of the turntable, how much
-/// memory. `cargo test --release --test webgl -- --ignored --nocapture`
+/// memory. `cargo test --release --test all webgl:: -- --ignored --nocapture`
 #[cfg(target_os = "linux")]
 #[test]
 #[ignore = "a measurement, of a scene that ORB_WEBGL_SCENE names"]
