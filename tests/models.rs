@@ -91,20 +91,7 @@ fn a_metric_depth_network_gives_the_scale() {
     let m = Machine::new();
     ends(&m.import(&[&TRUST[..], &["--depth-kind", "metric"]].concat(), &["depth_anything_v2.onnx"]), 0, &[]);
     let (photo, out) = (root().join("tests/data/container.jpg"), m.path("out"));
-    let args = [
-        "geo",
-        "--origin",
-        "1,2,3",
-        "--iterations",
-        "2",
-        "--texture",
-        "256",
-        "--engine",
-        "rten",
-        "--format",
-        "ply",
-        "--json",
-    ];
+    let args = ["geo", "--origin", "1,2,3", "--iterations", "2", "--engine", "rten", "--format", "ply", "--json"];
     let run = |more: &[&str]| -> Value {
         let done = m.orb(
             &[&args[..], &["--replace", "-o", out.to_str().unwrap()], more].concat(),

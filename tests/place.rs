@@ -79,23 +79,12 @@ fn fix() -> Vec<(Tag, Value)> {
 /// The JSON object of a run, and its folder.
 fn run(photo: &Path, args: &[&str]) -> (serde_json::Value, PathBuf) {
     let out = photo.with_file_name("out");
-    let done = orb(&[
-        "geo",
-        "--iterations",
-        "2",
-        "--texture",
-        "256",
-        "--format",
-        "ply",
-        "--json",
-        "--replace",
-        "-o",
-        out.to_str().unwrap(),
-    ])
-    .arg(photo)
-    .args(args)
-    .output()
-    .unwrap();
+    let done =
+        orb(&["geo", "--iterations", "2", "--format", "ply", "--json", "--replace", "-o", out.to_str().unwrap()])
+            .arg(photo)
+            .args(args)
+            .output()
+            .unwrap();
     assert!(done.status.success(), "{}", text(&done));
     (serde_json::from_slice(&done.stdout).unwrap(), out)
 }
@@ -269,10 +258,7 @@ fn a_batch_goes_on_past_bad_lines_and_can_be_resumed() {
     std::fs::write(&manifest, format!("{header}{good}{bad}")).unwrap();
     let out = dir.path().join("out");
     let batch = || {
-        orb(&["geo", "--iterations", "2", "--texture", "256", "-o", out.to_str().unwrap(), "--manifest"])
-            .arg(&manifest)
-            .output()
-            .unwrap()
+        orb(&["geo", "--iterations", "2", "-o", out.to_str().unwrap(), "--manifest"]).arg(&manifest).output().unwrap()
     };
     let done = batch();
     let said = text(&done);
