@@ -8,6 +8,8 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
+from enlarged import rewritten
+
 # Smaller tensors (biases, norms) stay float32.
 PACK_FROM = 1024
 # SplatNet's transformers are stored in four bits: a weight is one of 16 levels times the scale of its group of inputs.
@@ -54,8 +56,7 @@ def pack(path):
     nodes = opened + list(model.graph.node)
     del model.graph.node[:]
     model.graph.node.extend(nodes)
-    onnx.checker.check_model(model)
-    onnx.save(model, path)
+    onnx.save(rewritten(model), path)
 
 
 def in_four_bits(values):

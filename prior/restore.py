@@ -38,6 +38,13 @@ def weights_by_module(graph):
         if node.op_type == "MatMul":
             weights[0] = weights[0].T
         layers[module_path(node.name)] = weights
+    # A convolution in two (`enlarged`): its weights are split, and its bias is that of one half.
+    for node in graph.node:
+        if node.op_type == "Split" and node.input[0] in values:
+            layers[module_path(node.name)] = [values[node.input[0]]]
+    for node in graph.node:
+        if node.op_type == "Conv" and node.name.endswith("/Conv_beside"):
+            layers[module_path(node.name)].append(values[node.input[2]])
     # A matrix product's bias is a separate addition of the same module.
     for node in graph.node:
         layer = layers.get(module_path(node.name))

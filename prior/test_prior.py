@@ -203,6 +203,37 @@ def test_blocks_move_apart_and_copies_pass_on():
     assert deepened(made, blocks([9] * 5), "net.mid.") is made
 
 
+def test_convolutions_before_and_after_enlarging_agree(tmp_path):
+    torch = pytest.importorskip("torch")
+    onnx = pytest.importorskip("onnx")
+    onnxruntime = pytest.importorskip("onnxruntime")
+    from enlarged import rewritten
+    from nets import UNet
+
+    torch.manual_seed(8)
+
+    class Seeing(torch.nn.Module):
+        def __init__(self):
+            super().__init__()
+            self.net = UNet(4, (6, 10, 16), cout=3, grid=4, depth=1, heads=2)
+
+        def forward(self, x):
+            return self.net(x)
+
+    net, x, path = Seeing().eval(), torch.rand(1, 4, 16, 16), str(tmp_path / "net.onnx")
+    torch.onnx.export(net, (x,), path, input_names=["x"], opset_version=17, dynamo=False)
+    before = onnx.load(path)
+    after = rewritten(onnx.load(path))
+    ops = [[node.op_type for node in model.graph.node] for model in (before, after)]
+    assert ops[0].count("Resize") == 2 and ops[1].count("DepthToSpace") == 2 and ops[1].count("Concat") == ops[0].count("Concat") - 2
+    answers = [
+        onnxruntime.InferenceSession(model.SerializeToString(), providers=["CPUExecutionProvider"]).run(None, {"x": x.numpy()})
+        for model in (before, after)
+    ]
+    for a, b in zip(*answers, strict=True):
+        assert np.abs(a - b).max() < 1e-5 * max(1, np.abs(a).max())
+
+
 def test_four_bits_keep_matrices():
     pytest.importorskip("onnx")
     from packing import GROUP, from_four_bits, in_four_bits

@@ -17,24 +17,24 @@ pub struct Weights {
 /// Photo → subject mask, inverse depth and the camera's elevation.
 pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.5",
-    sha256: "e16a1da76f9e21334095990a1ba7cc57fe4a079c0cbdda76861dfc7b06f630a7",
+    version: "0.5.1",
+    sha256: "aeddafcc52b4d30f53a5f425ecd4336d1170b68df9e9e8a80f771a8cbd577aa5",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.3",
-    sha256: "07f6767fe0d7b992bd8ecfc31112f7e8fbfc0db83e0bd3bb22a3e03f9494138a",
+    version: "0.3.1",
+    sha256: "2ad1877b2ba06caea8db3aac52118bffd8a79dc7dd9a627fe07964a2251964db",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.15",
-    sha256: "4ccba10327aff30e3173925e08b94ee789d540b62e3cb6799cbbc3cecd8fa040",
+    version: "0.15.1",
+    sha256: "399d83cfd0f789987d904fe93c8df553f25e37e36aeb9f73c35c05cbf4228b1d",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
