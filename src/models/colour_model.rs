@@ -1,100 +1,100 @@
-//! What colours the subject and its surroundings have, learnt from the mask itself.
+//! What colours the subject and its surroundings have, learnt from the mask itself, and the cut between both that they tell.
 //!
-//! One step of the iteration in C. Rother, V. Kolmogorov, A. Blake, "GrabCut", SIGGRAPH 2004, with histograms in place of
-//! mixtures and the network's odds in place of a graph cut: where the network doubts, and close to the edge it drew, colour decides; what it
-//! is sure of stays.
+//! One step of the iteration in C. Rother, V. Kolmogorov, A. Blake, "GrabCut", SIGGRAPH 2004, with
+//! the network's odds beside the colours': where the network doubts colour decides, and the cut likes to run where
+//! neighbours are unlike; what the network is sure of stays.
 
-use super::guided::box_mean;
-use super::region::{Bounds, dilated, eroded};
+use super::graph_cut::Grid;
+use super::mixture::Mixture;
+use super::region::Bounds;
 use crate::photo::Plane;
+use rayon::prelude::*;
 
-const BINS: usize = 20;
-/// No colour speaks louder than e³ to 1.
-const LOUDEST: f32 = 3.0;
-/// Power of the odds: makes the mask decide where both together still waver, without moving its line of one half.
-const CRISP: i32 = 3;
-/// Above this the network's word stands.
-const SURE: f32 = 0.8;
+/// Colours that either mixture is learned from, about.
+const LEARNED_FROM: usize = 20_000;
+/// No colour speaks louder than e⁸ to 1.
+const LOUDEST: f32 = 8.0;
+// These four were chosen on 18 ray-traced photos in two lights and on 28 real ones; between half and twice of each mean IoUs move by less than 0.003.
 
-/// Probability of each colour bin.
-struct Histogram(Vec<f32>);
-
-impl Histogram {
-    fn new(pixels: impl Iterator<Item = ([f32; 3], f32)>) -> Self {
-        let mut counts = vec![0.0f64; BINS * BINS * BINS];
-        pixels.for_each(|(colour, weight)| counts[bin(colour)] += f64::from(weight));
-        for stride in [1, BINS, BINS * BINS] {
-            counts = blurred(&counts, stride);
-        }
-        let sum: f64 = counts.iter().sum::<f64>().max(1e-12);
-        Histogram(counts.iter().map(|v| (v / sum) as f32).collect())
-    }
-}
-
-fn bin(colour: [f32; 3]) -> usize {
-    colour.iter().fold(0, |i, v| i * BINS + ((v * BINS as f32) as usize).min(BINS - 1))
-}
-
-/// Binomial, σ = 1 bin, along one axis.
-fn blurred(counts: &[f64], stride: usize) -> Vec<f64> {
-    const WEIGHTS: [f64; 5] = [1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0];
-    let near = |i: usize, k: usize| {
-        let position = (i / stride % BINS) as i64;
-        let to = (position + k as i64 - 2).clamp(0, BINS as i64 - 1);
-        (i as i64 + (to - position) * stride as i64) as usize
-    };
-    (0..counts.len()).map(|i| (0..5).map(|k| WEIGHTS[k] * counts[near(i, k)]).sum()).collect()
-}
+/// How much the network's odds count beside those of colours.
+const NETWORK: f32 = 1.5;
+/// What pixels have for them that neither the network nor their colours speak for or against, nats.
+const IN_DOUBT: f32 = 0.5;
+/// Above this the network's word stands for the subject, and below the other against it.
+const SURE: f32 = 0.75;
+const SURELY_NOT: f32 = 0.05;
+/// What it costs to cut between neighbours of the same colour, nats.
+const LIKE: f32 = 4.0;
+/// Of a nat, what a whole number of the cut stands for.
+const UNIT: f32 = 1.0 / 4096.0;
+/// More than all that speaks against it, nats.
+const CERTAIN: f32 = 1e4;
 
 /// How the colours near a subject tell it from its surroundings.
 pub struct Evidence {
-    /// Natural logarithm of the odds that each pixel's colour is the subject's, at most 3 either way.
+    /// Natural logarithm of the odds that each pixel's colour is the subject's, at most 8 either way.
     pub log_odds: Plane,
     /// How far the two colour distributions differ: the Kullback–Leibler divergence in nats, 0 for no difference.
     pub divergence: f32,
 }
 
-/// Learns both colour distributions where the mask is surest, in the box `near`, and asks them about each pixel.
+/// Learns both colour distributions on either side of the mask's line of one half, in the box `near`, and asks them about each pixel.
 /// `guide` is sRGB 0..1 of the mask's size.
 pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     let (w, h) = (mask.width, mask.height);
     let [x0, y0, x1, y1] = near;
-    let weighted = |weight: fn(f32) -> f32| {
+    let of = |subject: bool| -> Vec<[f32; 3]> {
         let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| y * w + x));
-        Histogram::new(pixels.map(|i| (guide[i], weight(mask.data[i].clamp(0.01, 0.99)))))
+        pixels.filter(|i| (mask.data[*i] > 0.5) == subject).map(|i| guide[i]).collect()
     };
-    let inside = weighted(|v| v * v);
-    let outside = weighted(|v| (1.0 - v) * (1.0 - v));
-    let ratio = |b: usize| ((inside.0[b] + 1e-6) / (outside.0[b] + 1e-6)).ln();
-    let table: Vec<f32> = (0..BINS * BINS * BINS).map(|b| ratio(b).clamp(-LOUDEST, LOUDEST)).collect();
-    let log_odds = box_mean(w, h, (w.max(h) / 500).max(1), &|i| table[bin(guide[i])]);
-    Evidence { log_odds, divergence: (0..table.len()).map(|b| inside.0[b] * ratio(b)).sum() }
+    let learned = |colours: &[[f32; 3]]| -> Vec<[f32; 3]> {
+        colours.iter().copied().step_by(colours.len().div_ceil(LEARNED_FROM).max(1)).collect()
+    };
+    let (inside, outside) = (learned(&of(true)), learned(&of(false)));
+    if inside.is_empty() || outside.is_empty() {
+        return Evidence { log_odds: Plane::new(w, h, 0.0), divergence: 0.0 };
+    }
+    let (subject, rest) = (Mixture::fitted(&inside), Mixture::fitted(&outside));
+    let odds = |colour: &[f32; 3]| (subject.log_density(*colour) - rest.log_density(*colour)).clamp(-LOUDEST, LOUDEST);
+    let divergence = inside.iter().map(odds).sum::<f32>() / inside.len() as f32;
+    Evidence { log_odds: Plane { width: w, height: h, data: guide.par_iter().map(odds).collect() }, divergence }
 }
 
-/// Multiplies the mask's odds by the colour's and cubes them, in the band where the mask may move: within `reach` pixels of the line of
-/// one half, and where the mask itself doubts (0.1..0.9). Elsewhere in the box `near` the mask becomes 1 or 0. What it is
-/// sure of, more than `margin` pixels deep, stays; returns that core. Outside `near` the mask becomes 0.
-pub fn refine(log_odds: &Plane, mask: &mut Plane, near: Bounds, reach: usize, margin: usize) -> Vec<bool> {
-    let (w, h) = (mask.width, mask.height);
+/// The subject as network and colours see it together, in the box `near`: 1 or 0; outside it 0. The least cut
+/// ([`super::graph_cut`]) of the network's odds ([`NETWORK`] times) and the colours', with what it costs to part neighbours falling from [`LIKE`] with
+/// their distance of colour, exp(−d² / 2⟨d²⟩), and that between corners by √2 (GrabCut's Eq. 4 and 11).
+pub fn cut(guide: &[[f32; 3]], log_odds: &Plane, mask: &Plane, near: Bounds) -> Plane {
     let [x0, y0, x1, y1] = near;
-    let core = eroded(w, h, margin, |i| mask.data[i] > SURE);
-    let deep = eroded(w, h, reach, |i| mask.data[i] > 0.5);
-    let close = dilated(w, h, reach, |i| mask.data[i] > 0.5);
-    for (i, v) in mask.data.iter_mut().enumerate() {
-        let doubtful = (0.1..0.9).contains(v) || close[i] != deep[i];
-        *v = if !(x0..x1).contains(&(i % w)) || !(y0..y1).contains(&(i / w)) {
-            0.0
-        } else if core[i] {
-            1.0
-        } else if doubtful {
-            let p = v.clamp(0.01, 0.99);
-            let odds = (p / (1.0 - p) * log_odds.data[i].exp()).powi(CRISP);
-            odds / (1.0 + odds)
-        } else {
-            f32::from(u8::from(*v > 0.5))
-        };
+    let (w, h) = (x1 - x0, y1 - y0);
+    let pixel = |i: usize| (y0 + i / w) * mask.width + x0 + i % w;
+    let whole = |nats: f32| (nats / UNIT) as i32;
+    let opinion = |i: usize| {
+        let p = mask.data[pixel(i)];
+        let likely = p.clamp(0.01, 0.99);
+        whole(match p {
+            p if p > SURE => CERTAIN,
+            p if p < SURELY_NOT => -CERTAIN,
+            _ => NETWORK * (likely / (1.0 - likely)).ln() + log_odds.data[pixel(i)] + IN_DOUBT,
+        })
+    };
+    let apart = |i: usize, j: usize| {
+        let (a, b) = (guide[pixel(i)], guide[pixel(j)]);
+        (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f32>()
+    };
+    let right = (0..w * h).filter(|i| i % w + 1 < w).map(|i| f64::from(apart(i, i + 1)));
+    let below = (0..w * h.saturating_sub(1)).map(|i| f64::from(apart(i, i + w)));
+    let (sum, pairs) = right.chain(below).fold((0.0, 0.0), |(sum, pairs), d| (sum + d, pairs + 1.0));
+    let usual = (sum / f64::max(pairs, 1.0)).max(1e-9) as f32;
+    let parted = |i: usize, j: usize| {
+        let aslant = i % w != j % w && i / w != j / w;
+        whole(LIKE * (-apart(i, j) / (2.0 * usual)).exp() * if aslant { 0.5f32.sqrt() } else { 1.0 })
+    };
+    let subject = Grid::new(w, h, opinion).joined(parted).cut();
+    let mut plane = Plane::new(mask.width, mask.height, 0.0);
+    for (i, inside) in subject.into_iter().enumerate() {
+        plane.data[pixel(i)] = f32::from(u8::from(inside));
     }
-    core
+    plane
 }
 
 #[cfg(test)]
@@ -121,9 +121,11 @@ mod tests {
             }
         }
         let found = evidence(&guide, &mask, [5, 5, 55, 55]);
-        assert!(found.divergence > 1.0, "{}", found.divergence);
-        refine(&found.log_odds, &mut mask, [5, 5, 55, 55], 3, 1);
-        assert!(mask.at(36, 30) > 0.7 && mask.at(25, 43) < 0.3 && mask.at(25, 30) > 0.95 && mask.at(2, 2) == 0.0);
+        // Of 320 pixels above one half 200 are red, of the other 2,180 as many.
+        let expected = 200.0 / 320.0 * (2180f32 / 320.0).ln() + 120.0 / 320.0 * (120f32 / 320.0 * 2180.0 / 1980.0).ln();
+        assert!((found.divergence - expected).abs() < 0.05, "{} for {expected}", found.divergence);
+        let cut = cut(&guide, &found.log_odds, &mask, [5, 5, 55, 55]);
+        assert!((0..w * w).all(|i| cut.data[i] == f32::from(u8::from(red(i % w, i / w)))));
     }
 
     #[test]
@@ -134,17 +136,35 @@ mod tests {
         let guide: Vec<[f32; 3]> = (0..w * w)
             .map(|i| if inside(i % w, i / w) && i / w >= 28 { [0.8, 0.1, 0.1] } else { [0.5, 0.5, 0.5] })
             .collect();
-        let data = (0..w * w).map(|i| if inside(i % w, i / w) { 0.85 } else { 0.05 }).collect();
-        let mut mask = Plane { width: w, height: w, data };
+        let data = (0..w * w).map(|i| if inside(i % w, i / w) { 0.85 } else { 0.04 }).collect();
+        let mask = Plane { width: w, height: w, data };
         let found = evidence(&guide, &mask, [10, 10, 50, 50]);
-        let core = refine(&found.log_odds, &mut mask, [10, 10, 50, 50], 2, 1);
-        for (i, v) in mask.data.iter().enumerate() {
-            let (x, y) = (i % w, i / w);
-            let deep = (21..39).contains(&x) && (21..39).contains(&y);
-            assert_eq!(core[i], deep, "{x},{y}");
-            assert!(!deep || *v == 1.0, "{x},{y}: {v}");
-            assert!(inside(x, y) || *v < 0.2, "{x},{y}: {v}");
-        }
+        let cut = cut(&guide, &found.log_odds, &mask, [10, 10, 50, 50]);
+        assert!((0..w * w).all(|i| cut.data[i] == f32::from(u8::from(inside(i % w, i / w)))));
+    }
+
+    #[test]
+    fn a_part_that_the_network_doubts_goes_with_what_it_is_like() {
+        // A dark animal on straw, with a head of its own colour that the network holds for less likely than not.
+        let w = 80;
+        let body = |x: usize, y: usize| (20..50).contains(&x) && (30..60).contains(&y);
+        let head = |x: usize, y: usize| (50..62).contains(&x) && (20..40).contains(&y);
+        let guide: Vec<[f32; 3]> = (0..w * w)
+            .map(|i| if body(i % w, i / w) || head(i % w, i / w) { [0.2, 0.15, 0.1] } else { [0.7, 0.6, 0.4] })
+            .collect();
+        let probability = |x, y| {
+            if body(x, y) {
+                0.9
+            } else if head(x, y) {
+                0.35
+            } else {
+                0.1
+            }
+        };
+        let mask = Plane { width: w, height: w, data: (0..w * w).map(|i| probability(i % w, i / w)).collect() };
+        let found = evidence(&guide, &mask, [5, 5, 75, 75]);
+        let cut = cut(&guide, &found.log_odds, &mask, [5, 5, 75, 75]);
+        assert!((0..w * w).all(|i| (cut.data[i] == 1.0) == (body(i % w, i / w) || head(i % w, i / w))));
     }
 
     #[test]
@@ -153,10 +173,7 @@ mod tests {
         (0..900).filter(|i| i % 30 > 9 && i % 30 < 20).for_each(|i| mask.data[i] = 0.9);
         let found = evidence(&[[0.3; 3]; 900], &mask, [0, 0, 30, 30]);
         assert!(found.divergence.abs() < 1e-4 && found.log_odds.data.iter().all(|v| v.abs() < 1e-3));
-        mask.data.iter_mut().for_each(|v| *v = v.clamp(0.15, 0.85));
-        let before = mask.clone();
-        refine(&found.log_odds, &mut mask, [0, 0, 30, 30], 2, 10);
-        let crisper = |a: f32, b: f32| if b > 0.5 { a > 0.99 } else { a < 0.02 };
-        assert!(mask.data.iter().zip(&before.data).all(|(a, b)| crisper(*a, *b)));
+        let cut = cut(&[[0.3; 3]; 900], &found.log_odds, &mask, [0, 0, 30, 30]);
+        assert!((0..900).all(|i| (cut.data[i] > 0.5) == (mask.data[i] > 0.5)));
     }
 }

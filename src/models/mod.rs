@@ -21,7 +21,9 @@ mod tensor;
 // What the stages share.
 pub mod align;
 pub mod colour_model;
+pub mod graph_cut;
 pub mod guided;
+mod mixture;
 pub mod pattern_search;
 pub mod picture;
 pub mod region;

@@ -143,9 +143,9 @@ pub fn grown(b: Bounds, by: usize, width: usize, height: usize) -> Bounds {
     [b[0].saturating_sub(by), b[1].saturating_sub(by), (b[2] + by).min(width), (b[3] + by).min(height)]
 }
 
-/// Below this mean of the network's mask a hole is one that the network saw, not what colours tore open. Of 0.15, 0.3 and no such
-/// bound this is best on five photos outdoors and seven real ones: a tree's mask gains 0.016 of IoU, two lose 0.004.
-const GAP: f64 = 0.3;
+/// Below this mean of the network's mask a hole is one that the network saw, not what colours tore open. On 18 ray-traced photos outdoors and 28
+/// real ones masks have a mean IoU of 0.970 and 0.887 with 0.3, 0.971 and 0.886 with this; 0.969 and 0.888 with 0.1.
+const GAP: f64 = 0.5;
 
 /// Fills holes (regions ≤ 0.5 that do not reach the border): small ones, but for those where `before`, the mask before its edge was
 /// moved, is clear ([`GAP`]), and those that the mask itself half believes in. Wide, clear holes are see-through parts and stay.

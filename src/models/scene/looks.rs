@@ -1,7 +1,9 @@
-//! Looks of the network at a part of the photo, and the working grid that they are laid on.
+//! Looks of the network at the photo and at a part of it, and the working grid that they are laid on.
 //!
-//! The network sees squares of 256² and, where one is known, a point on the subject. Three fits are looked at: a mirrored
-//! square of the same area, turned left to right; the whole picture squashed with a margin of mirrored surroundings; and
+//! The network sees squares of 256² and, where one is known, a point on the subject. It looks at the whole photo once, with a margin of
+//! mirrored surroundings ([`Canvas::glance`]): two fits more there change no mean IoU by more than 0.001. Of the part with the subject three fits are
+//! looked at ([`Canvas::look`]): a mirrored
+//! square of the same area, turned left to right; the part squashed with a margin of mirrored surroundings; and
 //! the same without the margin. Each fails where another does not: with the surroundings mirrored the ground between a
 //! subject and its mirror image is taken for the subject, without them roofs and legs near the border are cut off. What
 //! two of the three say is the mask, pixel by pixel: their median. On 18 ray-traced photos and 28 real ones it has a mean
@@ -61,6 +63,18 @@ pub(super) struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
+    /// One fit of the whole photo, with a margin: where the subject is, about.
+    pub fn glance(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Look> {
+        let wide = scaled(self.whole, MARGIN, MARGIN);
+        let Answer { mut mask, depth, elevation } = self.run(wide, false, point, graph)?;
+        mask.data.iter_mut().for_each(|v| *v = v.clamp(0.0, 1.0));
+        Ok(Look {
+            mask: self.unfold(&mask, wide, Edge::Zero),
+            depth: self.unfold(&depth, wide, Edge::Clamp),
+            elevation,
+        })
+    }
+
     /// All fits of a part of the photo, with a point on the subject if one is known; outside it the mask is 0 and the
     /// depth means nothing.
     pub fn look(&self, part: Rect, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Look> {
