@@ -24,8 +24,8 @@ const SIZE: usize = 256;
 const WORKING_SIDE: u32 = 1536;
 /// The longer side of what is cut by colours, pixels.
 const CUT_SIDE: usize = 768;
-/// Above this the network is sure.
-const SURE: f32 = 0.8;
+/// Above this the fine mask's core is the subject's, whatever the photo's edges say.
+const CORE_FROM: f32 = 0.8;
 /// How deep inside its edge the network's confident mask is beyond doubt, in longest sides of the subject's box.
 const CORE: f32 = 0.01;
 /// A subject's least share of the photo.
@@ -259,7 +259,7 @@ fn correct(
     // Two pixels of what the network saw.
     let radius = ((2.0 * pixel) as usize).max(2);
     let mut subject = guided_filter(guide, &subject, radius, 1e-4);
-    let core = eroded(w, h, ((CORE * size as f32) as usize).max(2), |i| mask.data[i] > SURE);
+    let core = eroded(w, h, ((CORE * size as f32) as usize).max(2), |i| mask.data[i] > CORE_FROM);
     subject.data.iter_mut().zip(&core).for_each(|(v, sure)| *v = if *sure { 1.0 } else { sharpen(*v) });
     keep_central(&mut subject, 0.35, radius, focus);
     Ok(subject)
