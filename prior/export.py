@@ -12,7 +12,7 @@ import os
 import torch
 
 from nets import NETS, load_weights
-from packing import pack
+from packing import FOUR_BITS, pack
 
 OPSET = 17
 
@@ -57,7 +57,7 @@ class Splat(torch.nn.Module):
         return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation", "camera", "error"))
 
 
-def export(wrapped, example, path, input_name, output_names):
+def export(wrapped, example, path, input_name, output_names, four_bits=()):
     wrapped.eval()
     with torch.no_grad():
         torch.onnx.export(
@@ -70,7 +70,7 @@ def export(wrapped, example, path, input_name, output_names):
             dynamo=False,
             do_constant_folding=True,
         )
-    pack(path)
+    pack(path, four_bits)
     print(path, os.path.getsize(path), "bytes")
 
 
@@ -94,7 +94,7 @@ def main():
         learned = torch.load(args.error, map_location="cpu", weights_only=True)
         net.load_state_dict({k: v.float() for k, v in learned.items() if k.startswith("er.")}, strict=False)
     wrapper, source, outputs = GRAPHS[args.net]
-    export(wrapper(net), torch.rand(1, 4, net.SIZE, net.SIZE), args.out, source, outputs)
+    export(wrapper(net), torch.rand(1, 4, net.SIZE, net.SIZE), args.out, source, outputs, FOUR_BITS.get(args.net, ()))
 
 
 if __name__ == "__main__":

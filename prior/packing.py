@@ -12,8 +12,8 @@ from enlarged import rewritten
 
 # Smaller tensors (biases, norms) stay float32.
 PACK_FROM = 1024
-# SplatNet's transformers are stored in four bits: a weight is one of 16 levels times the scale of its group of inputs.
-FOUR_BITS = ("net.mid.", "net.near.")
+# Of each network, what is stored in four bits, a weight as one of 16 levels times the scale of its group of inputs: SplatNet's transformers.
+FOUR_BITS = {"splat": ("net.mid.", "net.near.")}
 GROUP = 64
 # Those of least squared error for SplatNet 0.14's weights, each group over its scale (Lloyd 1982), made symmetric.
 LEVELS = np.array([0.048, 0.164, 0.288, 0.420, 0.559, 0.715, 0.908, 1.196], np.float32)
@@ -24,9 +24,9 @@ PAIRS = np.stack([LEVELS[np.arange(256) >> 4], LEVELS[np.arange(256) & 15]], 1)
 SCALES = np.arange(0.55, 1.11, 0.05, dtype=np.float32)
 
 
-def pack(path):
-    """Store the large weights of the ONNX file in four bits where `FOUR_BITS` says so, as int8 with one scale an output channel
-    in other matrices and convolutions, the rest as float16."""
+def pack(path, four_bits=()):
+    """Store the large weights of the ONNX file in four bits in matrices of modules whose path begins with one of `four_bits`, as int8 with
+    one scale an output channel in other matrices and convolutions, the rest as float16."""
     model = onnx.load(path)
     users = {name: node for node in model.graph.node for name in node.input}
     opened, more = [], {}
@@ -39,7 +39,7 @@ def pack(path):
             tensor.CopyFrom(numpy_helper.from_array(values.astype(np.float16), name + "_f16"))
             opened.append(helper.make_node("Cast", [name + "_f16"], [name], to=TensorProto.FLOAT))
             continue
-        if user.op_type == "MatMul" and module_path(user.name).startswith(FOUR_BITS):
+        if user.op_type == "MatMul" and module_path(user.name).startswith(four_bits):
             numbers, scale = in_four_bits(values)
             tensor.CopyFrom(numpy_helper.from_array(numbers, name + "_u4"))
             more[name + "_scale"] = scale

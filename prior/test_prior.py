@@ -88,21 +88,23 @@ def test_a_critic_that_guesses_is_not_heeded():
 
 
 def test_perception_forgives_what_pixels_do_not_and_learns_nothing():
-    """Stripes look more like stripes that stand elsewhere than like their mean, although every pixel is twice as far off."""
+    """Fine stripes look far more like stripes that stand elsewhere than like their mean, although every pixel is twice as far off."""
     torch = pytest.importorskip("torch")
     from perception import Perception
 
     perception = Perception(str(HERE / "detail.onnx"))
     across = torch.arange(128)
-    stripes = ((across // 8) % 2).float().expand(1, 3, 128, 128)
-    moved, mean = 1 - stripes, torch.full_like(stripes, 0.5)
-    truth, moved, mean = (torch.cat([t, torch.ones(1, 1, 128, 128)], 1) for t in (stripes, moved, mean))
-    assert perception(truth, truth).item() == 0
-    mean.requires_grad_(True)
-    unlike = perception(mean, truth)
-    assert perception(moved, truth).item() < unlike.item()
-    unlike.backward()
-    assert mean.grad.abs().sum() > 0
+    # Where they are as wide as a cell of the coarsest level, eight pixels, they look as far off as their mean does.
+    for width in (2, 4, 6):
+        stripes = ((across // width) % 2).float().expand(1, 3, 128, 128)
+        moved, mean = 1 - stripes, torch.full_like(stripes, 0.5)
+        truth, moved, mean = (torch.cat([t, torch.ones(1, 1, 128, 128)], 1) for t in (stripes, moved, mean))
+        assert perception(truth, truth).item() == 0
+        mean.requires_grad_(True)
+        unlike = perception(mean, truth)
+        assert perception(moved, truth).item() < 0.7 * unlike.item()
+        unlike.backward()
+        assert mean.grad.abs().sum() > 0
     assert all(not p.requires_grad and p.grad is None for p in perception.parameters())
 
 

@@ -93,5 +93,8 @@ def worn(rough, alpha):
     rough = torch.where(chance(0.4), moved, rough)
     piece = torch.sigmoid((field(7) - 1.0) * 12)
     rough = torch.where(chance(0.2), torch.maximum(rough, piece * around * 0.9), rough)
-    rough = torch.where(chance(0.2), rough * (1 - torch.sigmoid((field(7) - 1.2) * 12) * alpha), rough)
+    cells = int(torch.randint(3, 9, ()))
+    rough = torch.where(chance(0.35), rough * (1 - torch.sigmoid((field(cells) - 1.0) * 12) * alpha), rough)
+    # What the program doubts more than this it has taken away before it looks closely.
+    rough = torch.where(chance(0.5), rough * (rough > 0.35), rough)
     return torch.where(chance(0.3), F.avg_pool2d(F.pad(rough, (4,) * 4, mode="replicate"), 9, 1), rough)

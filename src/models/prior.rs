@@ -25,8 +25,8 @@ pub static SCENE: Weights = Weights {
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.3.1",
-    sha256: "2ad1877b2ba06caea8db3aac52118bffd8a79dc7dd9a627fe07964a2251964db",
+    version: "0.4",
+    sha256: "98c93d84d0adb2a382f52f99cc6f43a49e2b64aab8b40ad12248e2bb32c23f38",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 

@@ -20,6 +20,10 @@ const ROOM: f32 = 0.15;
 const ROUGH: f32 = 0.35;
 /// How far from its edge the rough mask counts nothing, in longest sides of the subject's box.
 const BAND: f32 = 0.03;
+/// The lowest part of the rough mask's box, in its heights: what is beside or below it there may be ground.
+const FOOT: f32 = 0.15;
+/// Half the width, in longest sides of the subject's box, from which a piece is broad. Wheels, forks and feet are narrower.
+const BROAD: f32 = 0.02;
 /// The shorter side of what is looked at, at least, in longer sides.
 const SLENDER: f32 = 0.6;
 
@@ -62,14 +66,18 @@ pub(super) fn drawn(canvas: &Canvas, rough: &Plane, found: Bounds, graph: &dyn G
     let image = Tensor::new(&[1, 4, SIZE, SIZE], data)?;
     let mut outputs = graph.run(&[("image", &image)])?;
     let answer = Plane { width: SIZE, height: SIZE, data: take(&mut outputs, "mask", SIZE * SIZE)? };
-    let band = BAND * (found[2] - found[0]).max(found[3] - found[1]) as f32;
-    Ok((laid(rough, &answer, rect, band as usize + 1), rect.width.max(rect.height) / SIZE as f32))
+    Ok((laid(rough, found, &answer, rect), rect.width.max(rect.height) / SIZE as f32))
 }
 
-/// `answer` over `rect` of `rough`, and both as one there beyond `band` pixels from the edge of `rough`.
-fn laid(rough: &Plane, answer: &Plane, rect: Rect, band: usize) -> Plane {
+/// `answer` over `rect` of `rough`, whose subject is in the box `found`, and both as one there beyond [`BAND`] from the edge of `rough`. Broad
+/// pieces that `answer` alone has at the foot stay as `rough` has them: that close nothing tells ground from what stands on it, and stones
+/// under an animal, or the plain before a pyramid, are taken for a part of it.
+fn laid(rough: &Plane, found: Bounds, answer: &Plane, rect: Rect) -> Plane {
     let (w, h) = (rough.width, rough.height);
+    let size = (found[2] - found[0]).max(found[3] - found[1]) as f32;
+    let pixels = |share: f32| (share * size) as usize + 1;
     let subject = |i: usize| rough.data[i] > 0.5;
+    let band = pixels(BAND);
     let (around, within) = (dilated(w, h, band, subject), eroded(w, h, band, subject));
     let (sx, sy) = (answer.width as f32 / rect.width, answer.height as f32 / rect.height);
     let source =
@@ -79,10 +87,19 @@ fn laid(rough: &Plane, answer: &Plane, rect: Rect, band: usize) -> Plane {
         let (x, y) = ((i % rough.width) as f32 + 0.5, (i / rough.width) as f32 + 0.5);
         (rect.x..=rect.x + rect.width).contains(&x) && (rect.y..=rect.y + rect.height).contains(&y)
     };
-    let share = |i: usize| match (inside(i), around[i] && !within[i]) {
-        (false, _) => 1.0,
-        (true, true) => 0.0,
-        (true, false) => ROUGH,
+    let foot = found[3] as f32 - FOOT * (found[3] - found[1]) as f32;
+    let added = |i: usize| inside(i) && over.data[i] > 0.5 && !subject(i) && (i / w) as f32 >= foot;
+    let core = eroded(w, h, pixels(BROAD), added);
+    // A little further than they were eroded, to their soft edges.
+    let ground = dilated(w, h, pixels(1.25 * BROAD), |i| core[i]);
+    let share = |i: usize| {
+        if !inside(i) || ground[i] && !subject(i) {
+            1.0
+        } else if around[i] && !within[i] {
+            0.0
+        } else {
+            ROUGH
+        }
     };
     let data = (0..w * h).map(|i| share(i) * rough.data[i] + (1.0 - share(i)) * over.data[i]);
     Plane { width: w, height: h, data: data.map(|v| v.clamp(0.0, 1.0)).collect() }
@@ -151,6 +168,26 @@ pub(super) mod tests {
         // Beyond what was looked at nothing changes.
         assert_eq!(drawn.at(20, 20), 0.05);
         assert!((pixel - 1.3 * 360.0 / 384.0).abs() < 0.1, "{pixel}");
+    }
+
+    #[test]
+    fn a_head_and_legs_are_added_and_the_ground_is_not() {
+        let body = |x: u32, y: u32| (120..300).contains(&x) && (180..300).contains(&y);
+        let head = |x: u32, y: u32| (300..380).contains(&x) && (120..200).contains(&y);
+        let leg = |x: u32, y: u32| (130..137).contains(&x) && (300..360).contains(&y);
+        let stone = |x: u32, y: u32| (180..420).contains(&x) && (320..380).contains(&y);
+        let photo = image::RgbImage::from_fn(600, 450, |x, y| {
+            let green = [body, head].iter().any(|f| f(x, y)) || leg(x, y) || stone(x, y);
+            image::Rgb(if green { [40, 220, 40] } else { [90, 60, 120] })
+        });
+        let whole = Rect { x: 0.0, y: 0.0, width: 600.0, height: 450.0 };
+        let canvas = Canvas { photo: &photo, working: &photo, whole, width: 600, height: 450 };
+        let data = (0..600 * 450).map(|i| if body(i % 600, i / 600) { 0.95 } else { 0.05 });
+        let rough = Plane { width: 600, height: 450, data: data.collect() };
+        let (drawn, _) = drawn(&canvas, &rough, [120, 180, 300, 300], &Green).unwrap();
+        assert!(drawn.at(340, 160) > 0.6, "head: {}", drawn.at(340, 160));
+        assert!(drawn.at(133, 330) > 0.6, "leg: {}", drawn.at(133, 330));
+        assert!(drawn.at(240, 350) < 0.1, "stone: {}", drawn.at(240, 350));
     }
 
     #[test]
