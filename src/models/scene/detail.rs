@@ -172,10 +172,11 @@ pub(super) mod tests {
 
     #[test]
     fn a_head_and_legs_are_added_and_the_ground_is_not() {
+        // All of it is in the part that is looked at, 93 to 327 across and 153 to 327 down.
         let body = |x: u32, y: u32| (120..300).contains(&x) && (180..300).contains(&y);
-        let head = |x: u32, y: u32| (300..380).contains(&x) && (120..200).contains(&y);
-        let leg = |x: u32, y: u32| (130..137).contains(&x) && (300..360).contains(&y);
-        let stone = |x: u32, y: u32| (180..420).contains(&x) && (320..380).contains(&y);
+        let head = |x: u32, y: u32| (300..325).contains(&x) && (160..220).contains(&y);
+        let leg = |x: u32, y: u32| (130..135).contains(&x) && (300..325).contains(&y);
+        let stone = |x: u32, y: u32| (180..320).contains(&x) && (308..327).contains(&y);
         let photo = image::RgbImage::from_fn(600, 450, |x, y| {
             let green = [body, head].iter().any(|f| f(x, y)) || leg(x, y) || stone(x, y);
             image::Rgb(if green { [40, 220, 40] } else { [90, 60, 120] })
@@ -185,9 +186,9 @@ pub(super) mod tests {
         let data = (0..600 * 450).map(|i| if body(i % 600, i / 600) { 0.95 } else { 0.05 });
         let rough = Plane { width: 600, height: 450, data: data.collect() };
         let (drawn, _) = drawn(&canvas, &rough, [120, 180, 300, 300], &Green).unwrap();
-        assert!(drawn.at(340, 160) > 0.6, "head: {}", drawn.at(340, 160));
-        assert!(drawn.at(133, 330) > 0.6, "leg: {}", drawn.at(133, 330));
-        assert!(drawn.at(240, 350) < 0.1, "stone: {}", drawn.at(240, 350));
+        assert!(drawn.at(315, 190) > 0.6, "head: {}", drawn.at(315, 190));
+        assert!(drawn.at(132, 318) > 0.6, "leg: {}", drawn.at(132, 318));
+        assert!(drawn.at(240, 318) < 0.1, "stone: {}", drawn.at(240, 318));
     }
 
     #[test]
