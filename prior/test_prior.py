@@ -236,6 +236,46 @@ def test_convolutions_before_and_after_enlarging_agree(tmp_path):
         assert np.abs(a - b).max() < 1e-5 * max(1, np.abs(a).max())
 
 
+def test_splatnet_alone_is_stored_in_four_bits():
+    onnx = pytest.importorskip("onnx")
+
+    def in_four_bits(which):
+        return [t.name for t in onnx.load(str(HERE / f"{which}.onnx")).graph.initializer if t.name.endswith("_u4")]
+
+    assert in_four_bits("splat") and not in_four_bits("scene") and not in_four_bits("detail")
+
+
+def test_what_is_stored_in_four_bits_is_what_is_asked_for(tmp_path):
+    torch = pytest.importorskip("torch")
+    onnx = pytest.importorskip("onnx")
+    from export import export
+    from nets import UNet
+    from packing import FOUR_BITS
+
+    class Net(torch.nn.Module):
+        def __init__(self):
+            super().__init__()
+            self.net = UNet(4, (32, 64), cout=2, grid=4, depth=1, heads=2)
+
+        def forward(self, x):
+            return self.net(x)[0]
+
+    class Wrapped(torch.nn.Module):
+        def __init__(self):
+            super().__init__()
+            self.n = Net()
+
+        def forward(self, x):
+            return self.n(x)
+
+    for net, few in (("splat", 4), ("detail", 0), ("scene", 0)):
+        path = str(tmp_path / f"{net}.onnx")
+        export(Wrapped(), torch.rand(1, 4, 8, 8), path, "x", ["y"], FOUR_BITS.get(net, ()))
+        names = [t.name for t in onnx.load(path).graph.initializer]
+        # A block's four matrices.
+        assert sum(n.endswith("_u4") for n in names) == few and any(n.endswith("_i8") for n in names), names
+
+
 def test_four_bits_keep_matrices():
     pytest.importorskip("onnx")
     from packing import GROUP, from_four_bits, in_four_bits

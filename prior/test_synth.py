@@ -236,6 +236,26 @@ def boxed(centre, half, rotation=None, kind=layout.BOX):
     return Primitive(kind, np.array(centre, float), np.array(half, float), (1, 1), (0, 0), rotation, None)
 
 
+def test_worn_masks_lack_parts_of_the_subject_and_half_of_them_all_that_is_doubted():
+    torch = pytest.importorskip("torch")
+    from synth.masks import worn
+
+    torch.manual_seed(1)
+    size, n = 128, 400
+    far = (torch.arange(size) - size / 2).abs()
+    square = torch.maximum(far[None], far[:, None])
+    alpha = (square < 40).float().expand(n, 1, size, size)
+    # Doubted everywhere around the subject.
+    found = torch.cat([worn(torch.where(a > 0, 0.95, 0.2), a) for a in alpha.split(20)])
+    assert 0 <= found.min() and found.max() <= 1
+    without = (found[:, 0, 0, 0] < 0.01).float().mean()
+    assert 0.4 < without < 0.6, without
+    # Further in than edges move.
+    core = found[:, 0][:, square < 20]
+    lacking = ((core < 0.5).float().mean(1) > 0.02).float().mean()
+    assert 0.1 < lacking < 0.35, lacking
+
+
 def test_reshaped_objects_stay_symmetric_and_in_one_piece():
     from synth.extent import bounds
     from synth.kit import ALONG_Y, turn

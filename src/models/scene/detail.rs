@@ -22,7 +22,8 @@ const ROUGH: f32 = 0.35;
 const BAND: f32 = 0.03;
 /// The lowest part of the rough mask's box, in its heights: what is beside or below it there may be ground.
 const FOOT: f32 = 0.15;
-/// Half the width, in longest sides of the subject's box, from which a piece is broad. Wheels, forks and feet are narrower.
+/// Half the width, in longest sides of the subject's box, from which a piece is broad. Without a bound an aeroplane and a forklift lose 0.02 of IoU
+/// outdoors; with 0.0225 the forklift has 0.016 more and the pyramid of Meidum the same.
 const BROAD: f32 = 0.02;
 /// The shorter side of what is looked at, at least, in longer sides.
 const SLENDER: f32 = 0.6;
@@ -70,8 +71,8 @@ pub(super) fn drawn(canvas: &Canvas, rough: &Plane, found: Bounds, graph: &dyn G
 }
 
 /// `answer` over `rect` of `rough`, whose subject is in the box `found`, and both as one there beyond [`BAND`] from the edge of `rough`. Broad
-/// pieces that `answer` alone has at the foot stay as `rough` has them: that close nothing tells ground from what stands on it, and stones
-/// under an animal, or the plain before a pyramid, are taken for a part of it.
+/// pieces that `answer` alone has at the foot stay as `rough` has them: the network that looks closely takes stones under an animal, or the plain
+/// before a pyramid, for a part of it.
 fn laid(rough: &Plane, found: Bounds, answer: &Plane, rect: Rect) -> Plane {
     let (w, h) = (rough.width, rough.height);
     let size = (found[2] - found[0]).max(found[3] - found[1]) as f32;
