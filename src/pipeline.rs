@@ -281,7 +281,7 @@ pub fn fit(
     progress.check()?;
 
     progress.begin("3D from one view", 0);
-    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*engine.load(prior::SPLAT.verified()?)?)?;
+    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*prior::SPLAT.loaded(engine)?)?;
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
     if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {
         sources::fit_depth(&mut one_view, &mut subject, seen, &mut outcome);

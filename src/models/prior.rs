@@ -1,5 +1,6 @@
 //! The weights in the binary: the project's own networks, trained on procedural scenes only.
 
+use super::{Engine, Graph};
 use crate::{Error, Result};
 use sha2::{Digest, Sha256};
 
@@ -53,11 +54,21 @@ impl Weights {
         }
         Ok(self.onnx)
     }
+
+    /// The network: read while its bytes are hashed, and there only where they are the pinned ones.
+    ///
+    /// # Errors
+    /// As [`Weights::verified`] and the engine.
+    pub fn loaded(&self, engine: &dyn Engine) -> Result<Box<dyn Graph>> {
+        let (verified, graph) = rayon::join(|| self.verified(), || engine.load_static(self.onnx));
+        verified.and(graph)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::models::Rten;
 
     #[test]
     fn pins_hold() {
@@ -70,5 +81,10 @@ mod tests {
     fn altered_weights_are_refused() {
         let altered = Weights { onnx: &SCENE.onnx[1..], ..SCENE };
         assert_eq!(altered.verified().unwrap_err().kind, crate::Kind::Integrity);
+        // Whatever the engine says of them; and where it would run them.
+        let another = Weights { sha256: DETAIL.sha256, ..SCENE };
+        for weights in [altered, another] {
+            assert_eq!(weights.loaded(&Rten).err().map(|e| e.kind), Some(crate::Kind::Integrity));
+        }
     }
 }

@@ -118,7 +118,8 @@ impl Networks {
     /// # Errors
     /// Integrity, where their weights are not the pinned ones; as the engine.
     pub fn built_in(engine: &dyn Engine) -> Result<Self> {
-        Ok(Self { scene: engine.load(prior::SCENE.verified()?)?, detail: engine.load(prior::DETAIL.verified()?)? })
+        let (scene, detail) = rayon::join(|| prior::SCENE.loaded(engine), || prior::DETAIL.loaded(engine));
+        Ok(Self { scene: scene?, detail: detail? })
     }
 }
 

@@ -414,12 +414,12 @@ mod tests {
 
     #[test]
     fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
-        use crate::models::{Engine, Rten, prior, scene};
+        use crate::models::{Rten, prior, scene};
         let bytes = include_bytes!("../../tests/data/container.jpg");
         let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
         let networks = scene::Networks::built_in(&Rten).unwrap();
         let subject = scene::subject(&photo.pixels, None, None, &networks).unwrap();
-        let graph = Rten.load(prior::SPLAT.verified().unwrap()).unwrap();
+        let graph = prior::SPLAT.loaded(&Rten).unwrap();
         let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
         assert!(
             (view.elevation.to_degrees() - 15.0).abs() < 6.0,

@@ -59,7 +59,7 @@ pub fn search(
     engine: &dyn Engine,
     progress: &dyn Progress,
 ) -> Result<Poses> {
-    let (networks, splat_graph) = (scene::Networks::built_in(engine)?, engine.load(prior::SPLAT.verified()?)?);
+    let (networks, splat_graph) = (scene::Networks::built_in(engine)?, prior::SPLAT.loaded(engine)?);
     let (mut all, mut notes) = (Vec::new(), Vec::new());
     progress.begin("pose search", 2 * files.len() as u64);
     for (i, file) in files.iter().enumerate() {

@@ -25,6 +25,13 @@ pub trait Engine: Sync {
     /// # Errors
     /// An environment error when the bytes are no ONNX graph that this engine can run.
     fn load(&self, onnx: &[u8]) -> Result<Box<dyn Graph>>;
+    /// The same of bytes that stay, as the built-in weights do: read where they are, where the engine can.
+    ///
+    /// # Errors
+    /// As [`Engine::load`].
+    fn load_static(&self, onnx: &'static [u8]) -> Result<Box<dyn Graph>> {
+        self.load(onnx)
+    }
     /// The same from a file, whose external data lies beside it.
     ///
     /// # Errors
@@ -33,7 +40,7 @@ pub trait Engine: Sync {
 }
 
 /// A loaded graph: drop it to give its memory back.
-pub trait Graph {
+pub trait Graph: Send {
     fn inputs(&self) -> Vec<Port>;
     fn outputs(&self) -> Vec<Port>;
     /// All outputs, in the graph's order.

@@ -24,6 +24,10 @@ impl Engine for Rten {
         loaded(ModelOptions::with_all_ops().load(onnx.to_vec()), "network graph")
     }
 
+    fn load_static(&self, onnx: &'static [u8]) -> Result<Box<dyn Graph>> {
+        loaded(ModelOptions::with_all_ops().load_static_slice(onnx), "network graph")
+    }
+
     fn load_file(&self, path: &Path) -> Result<Box<dyn Graph>> {
         loaded(ModelOptions::with_all_ops().load_file(path), &path.display().to_string())
     }

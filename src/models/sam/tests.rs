@@ -1,7 +1,7 @@
 //! Coordinates, choice and refinement, on the contract stub and on decoders made here.
 
 use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 use super::choice::{best, most_like, shape};
 use super::*;
@@ -55,7 +55,7 @@ fn the_stubs_disc_is_around_the_click_in_photo_pixels() {
 }
 
 /// What a decoder was fed, the latest last.
-type Fed = Rc<RefCell<Vec<Vec<(String, Tensor)>>>>;
+type Fed = Arc<Mutex<Vec<Vec<(String, Tensor)>>>>;
 
 /// A decoder made here: gives these masks whatever it is asked, and remembers what it was fed.
 struct Made {
@@ -72,7 +72,7 @@ impl Graph for Made {
         self.outputs.iter().map(|(n, _)| Port::any(n)).collect()
     }
     fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
-        self.fed.borrow_mut().push(inputs.iter().map(|(n, t)| ((*n).to_owned(), (*t).clone())).collect());
+        self.fed.lock().unwrap().push(inputs.iter().map(|(n, t)| ((*n).to_owned(), (*t).clone())).collect());
         Ok(self.outputs.clone())
     }
 }
@@ -85,7 +85,7 @@ fn run_made(
     inputs: Vec<Port>,
     outputs: Vec<(&str, Tensor)>,
 ) -> (Result<Found>, Vec<Vec<(String, Tensor)>>) {
-    let fed: Fed = Rc::default();
+    let fed: Fed = Arc::default();
     let outputs: Vec<(String, Tensor)> = outputs.into_iter().map(|(n, t)| (n.to_owned(), t)).collect();
     let embedding = vec![("image_embeddings".to_owned(), Tensor::new(&[1], vec![0.5]).unwrap())];
     let mut open = |role: Role| -> Result<Box<dyn Graph>> {
@@ -95,7 +95,7 @@ fn run_made(
         }))
     };
     let found = segment(picture, prompt, family, &mut open, &Silent);
-    let all = fed.borrow().clone();
+    let all = fed.lock().unwrap().clone();
     (found, all)
 }
 

@@ -206,7 +206,7 @@ pub(super) mod tests {
 
     #[test]
     fn the_built_in_network_sharpens_a_mask_that_was_worn() {
-        use crate::models::{Engine, Rten, prior};
+        use crate::models::{Rten, prior};
         let decoded = |bytes: &[u8]| image::load_from_memory(bytes).unwrap();
         let photo = decoded(include_bytes!("../../../tests/data/container.jpg")).into_rgb8();
         let truth = decoded(include_bytes!("../../../tests/data/container_mask.png")).into_luma8();
@@ -220,7 +220,7 @@ pub(super) mod tests {
         let all = Rect { x: 0.0, y: 0.0, width: few.width as f32, height: few.height as f32 };
         let rough = sample_plane(&few, all, w, h, Edge::Clamp);
         let found = crate::models::region::bounds(&rough, 0.5).unwrap();
-        let graph = Rten.load(prior::DETAIL.verified().unwrap()).unwrap();
+        let graph = prior::DETAIL.loaded(&Rten).unwrap();
         check(&*graph).unwrap();
         let (drawn, _) = drawn(&canvas, &rough, found, &*graph).unwrap();
         let overlap = |m: &Plane| {

@@ -161,7 +161,7 @@ fn the_point_is_shown_where_it_lies() {
     /// Where the point's peak was, its value, and the picture's colour there, of every run.
     type Seen = Vec<(usize, f32, [f32; 3])>;
     #[derive(Clone, Default)]
-    struct Shown(std::rc::Rc<std::cell::RefCell<Seen>>);
+    struct Shown(std::sync::Arc<std::sync::Mutex<Seen>>);
     impl Graph for Shown {
         fn inputs(&self) -> Vec<Port> {
             Never.inputs()
@@ -173,7 +173,7 @@ fn the_point_is_shown_where_it_lies() {
             let (colours, point) = inputs[0].1.data.split_at(3 * SIZE * SIZE);
             let (at, peak) = point.iter().enumerate().fold((0, -1.0), |a, (i, v)| if *v > a.1 { (i, *v) } else { a });
             let colour = std::array::from_fn(|c| colours[c * SIZE * SIZE + at]);
-            self.0.borrow_mut().push((at, peak, colour));
+            self.0.lock().unwrap().push((at, peak, colour));
             Disc { centre: (0.0, 0.0), radius: 0.0 }.run(inputs)
         }
     }
@@ -185,7 +185,7 @@ fn the_point_is_shown_where_it_lies() {
     let shown = Shown::default();
     subject(&photo, None, Some([122.0, 82.0]), &alone(shown.clone())).unwrap();
     // Squashed, mirrored, with a margin, and again closer: always on the marked patch.
-    let seen = shown.0.take();
+    let seen = std::mem::take(&mut *shown.0.lock().unwrap());
     assert!(seen.len() >= 3);
     assert!(seen.iter().all(|(_, peak, c)| *peak > 0.9 && c[0] > 0.8 && c[2] > 0.8), "{seen:?}");
 }

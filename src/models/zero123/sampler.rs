@@ -232,8 +232,7 @@ fn decode(latents: Vec<f32>, decoder: &dyn Graph) -> Result<RgbImage> {
 
 #[cfg(test)]
 mod tests {
-    use std::cell::RefCell;
-    use std::rc::Rc;
+    use std::sync::{Arc, Mutex};
 
     use super::*;
     use crate::models::registry::tests::stub;
@@ -266,8 +265,8 @@ mod tests {
 
     /// v = sample / 2 + 0.001 · (mean text + time + Σ mean refs), as the reading stub computes; refs carry what was written.
     #[derive(Default)]
-    struct Listening(RefCell<Vec<(f32, f32, f32)>>);
-    impl Graph for Rc<Listening> {
+    struct Listening(Mutex<Vec<(f32, f32, f32)>>);
+    impl Graph for Arc<Listening> {
         fn inputs(&self) -> Vec<Port> {
             vec![]
         }
@@ -280,7 +279,7 @@ mod tests {
             assert_eq!((references, get("sample").shape.as_slice()), (16, &SAMPLE[..]));
             let (time, text, reference) =
                 (get("timestep").data[0], get("encoder_hidden_states").data[0], get("ref_15").data[0]);
-            self.0.borrow_mut().push((time, text, reference));
+            self.0.lock().unwrap().push((time, text, reference));
             // The branch with the photo (text 2) says 1, the one without says 0.25.
             let v = if text == 2.0 { 1.0 } else { 0.25 };
             Ok(vec![("v_prediction".into(), Tensor::new(&SAMPLE, vec![v; SAMPLE.iter().product()])?)])
@@ -321,7 +320,7 @@ mod tests {
 
     #[test]
     fn both_branches_read_their_own_references_and_guidance_mixes_them() {
-        let reading = Rc::new(Listening::default());
+        let reading = Arc::new(Listening::default());
         let mut open = |role| -> Result<Box<dyn Graph>> {
             Ok(if role == Role::UnetWrite { Box::new(Writing) } else { Box::new(reading.clone()) })
         };
@@ -334,7 +333,7 @@ mod tests {
         let made =
             denoise(&mut open, None, &[branch(1.0, 0.0), branch(2.0, 100.0)], &settings, &mut Random::new(5), &Silent)
                 .unwrap();
-        let seen = reading.0.borrow();
+        let seen = reading.0.lock().unwrap();
         let order: Vec<(f32, f32)> = seen.iter().map(|s| (s.0, s.1)).collect();
         assert_eq!(order, [(999.0, 1.0), (999.0, 2.0), (499.0, 1.0), (499.0, 2.0)]);
         // At the least noise the condition shines through: 100 against 0, both with noise of deviation < 1.
@@ -390,7 +389,7 @@ mod tests {
     }
 
     /// A graph that takes itself off the list when it goes.
-    struct Watched(Role, Box<dyn Graph>, Rc<RefCell<Held>>);
+    struct Watched(Role, Box<dyn Graph>, Arc<Mutex<Held>>);
     impl Graph for Watched {
         fn inputs(&self) -> Vec<Port> {
             self.1.inputs()
@@ -404,16 +403,16 @@ mod tests {
     }
     impl Drop for Watched {
         fn drop(&mut self) {
-            self.2.borrow_mut().now.retain(|role| *role != self.0);
+            self.2.lock().unwrap().now.retain(|role| *role != self.0);
         }
     }
 
     #[test]
     fn one_graph_is_held_at_a_time_and_the_result_does_not_tell() {
-        let held = Rc::new(RefCell::new(Held::default()));
-        let reading = Rc::new(Listening::default());
+        let held = Arc::new(Mutex::new(Held::default()));
+        let reading = Arc::new(Listening::default());
         let mut open = |role| -> Result<Box<dyn Graph>> {
-            let mut list = held.borrow_mut();
+            let mut list = held.lock().unwrap();
             assert!(list.now.is_empty(), "{:?} beside {role:?}", list.now);
             list.opened.push(role);
             list.now.push(role);
@@ -429,14 +428,14 @@ mod tests {
         let settings = Settings { steps, guidance: 3.0, seed: 5 };
         let branches = [branch(1.0), branch(2.0)];
         let made = denoise(&mut open, None, &branches, &settings, &mut Random::new(5), &Silent).unwrap();
-        assert_eq!(held.borrow().opened, [Role::UnetWrite, Role::UnetRead, Role::UnetWrite, Role::UnetRead]);
+        assert_eq!(held.lock().unwrap().opened, [Role::UnetWrite, Role::UnetRead, Role::UnetWrite, Role::UnetRead]);
         assert!(made == by_hand(steps, 5));
         // What each step reads is what was written for it: noise of its own, at its own level.
         let mut random = Random::new(5);
         let schedule = scheduler::Schedule::new(steps);
         let mut draw = |count: usize| (0..count).map(|_| random.normal()).collect::<Vec<f32>>();
         draw(SAMPLE.iter().product());
-        let seen = reading.0.borrow();
+        let seen = reading.0.lock().unwrap();
         for (i, sigma) in schedule.sigmas[..steps].iter().enumerate() {
             for branch in 0..2 {
                 let noise = draw(LATENT.iter().product());
