@@ -81,31 +81,33 @@ pub fn fit_intrinsics(gaussians: &Gaussians, camera: &Camera, mask: &Plane) -> (
     let offset = (sheet as f32 - GRID as f32) / 2.0;
     let wide = Camera { width: sheet, height: sheet, cx: base.cx + offset, cy: base.cy + offset, ..base };
     let seen = silhouette(gaussians, &wide);
-    let at = |x: f32, y: f32| -> f32 {
-        let (x, y) = (x - 0.5, y - 0.5);
-        let (fx, fy) = (x.floor(), y.floor());
-        let value = |i: f32, j: f32| {
-            let inside = i >= 0.0 && j >= 0.0 && i < sheet as f32 && j < sheet as f32;
-            if inside { seen.at(i as usize, j as usize) } else { 0.0 }
-        };
-        let (tx, ty) = (x - fx, y - fy);
-        (1.0 - ty) * ((1.0 - tx) * value(fx, fy) + tx * value(fx + 1.0, fy))
-            + ty * ((1.0 - tx) * value(fx, fy + 1.0) + tx * value(fx + 1.0, fy + 1.0))
+    let value = |x: f32, y: f32| {
+        let inside = x >= 0.0 && y >= 0.0 && x < sheet as f32 && y < sheet as f32;
+        if inside { seen.at(x as usize, y as usize) } else { 0.0 }
     };
-    // trial = [log zoom, right, down]: the sheet's point that the target's pixel shows.
-    let warped = |trial: [f32; 3], i: usize| {
+    // trial = [log zoom, right, down]: what the sheet shows where the target's pixels lie.
+    let warped = |trial: [f32; 3]| -> Vec<f32> {
         let zoom = trial[0].exp();
-        let x = ((i % GRID) as f32 + 0.5 - trial[1] - base.cx) / zoom + wide.cx;
-        let y = ((i / GRID) as f32 + 0.5 - trial[2] - base.cy) / zoom + wide.cy;
-        at(x, y)
+        // Of the target's columns or rows the sheet's before them, and how far they lie from it.
+        let places = |shift: f32, from: f32, to: f32| -> [(f32, f32); GRID] {
+            std::array::from_fn(|i| {
+                let at = (i as f32 + 0.5 - shift - from) / zoom + to - 0.5;
+                (at.floor(), at - at.floor())
+            })
+        };
+        let (columns, rows) = (places(trial[1], base.cx, wide.cx), places(trial[2], base.cy, wide.cy));
+        let at = |(y, ty): (f32, f32), (x, tx): (f32, f32)| {
+            (1.0 - ty) * ((1.0 - tx) * value(x, y) + tx * value(x + 1.0, y))
+                + ty * ((1.0 - tx) * value(x, y + 1.0) + tx * value(x + 1.0, y + 1.0))
+        };
+        rows.iter().flat_map(|row| columns.iter().map(|column| at(*row, *column))).collect()
     };
     let cost = |trial: [f32; 3]| match trial[0].abs() < 0.8 {
-        true => (0..GRID * GRID).map(|i| f64::from(warped(trial, i) - target.data[i]).powi(2)).sum(),
+        true => warped(trial).iter().zip(&target.data).map(|(a, b)| f64::from(a - b).powi(2)).sum(),
         false => f64::INFINITY,
     };
     let (best, _) = pattern_search([0.0; 3], [0.08, 6.0, 6.0], 0.05 / 6.0, cost);
-    let reached: Vec<f32> = (0..GRID * GRID).map(|i| warped(best, i)).collect();
-    let iou = silhouette_iou(&reached, &target.data).unwrap_or(0.0) as f32;
+    let iou = silhouette_iou(&warped(best), &target.data).unwrap_or(0.0) as f32;
     let zoom = best[0].exp();
     let fitted =
         Camera { fx: base.fx * zoom, fy: base.fy * zoom, cx: base.cx + best[1], cy: base.cy + best[2], ..base };

@@ -55,7 +55,7 @@ pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     if inside.is_empty() || outside.is_empty() {
         return Evidence { log_odds: Plane::new(w, h, 0.0), divergence: 0.0 };
     }
-    let (subject, rest) = (Mixture::fitted(&inside), Mixture::fitted(&outside));
+    let (subject, rest) = rayon::join(|| Mixture::fitted(&inside), || Mixture::fitted(&outside));
     let odds = |colour: &[f32; 3]| (subject.log_density(*colour) - rest.log_density(*colour)).clamp(-LOUDEST, LOUDEST);
     let divergence = inside.iter().map(odds).sum::<f32>() / inside.len() as f32;
     Evidence { log_odds: Plane { width: w, height: h, data: guide.par_iter().map(odds).collect() }, divergence }

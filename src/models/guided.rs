@@ -10,12 +10,12 @@ use rayon::prelude::*;
 pub fn guided_filter(guide: &[[f32; 3]], input: &Plane, radius: usize, eps: f32) -> Plane {
     let (w, h) = (input.width, input.height);
     assert_eq!(guide.len(), w * h, "guide and input differ in size");
-    let mean = |value: &(dyn Fn(usize) -> f32 + Sync)| box_mean(w, h, radius, value);
-    let colour: Vec<Plane> = (0..3).map(|c| mean(&|i| guide[i][c])).collect();
-    let plain = mean(&|i| input.data[i]);
-    let cross: Vec<Plane> = (0..3).map(|c| mean(&|i| guide[i][c] * input.data[i])).collect();
+    let colour: Vec<Plane> = (0..3).map(|c| box_mean(w, h, radius, |i| guide[i][c])).collect();
+    let plain = box_mean(w, h, radius, |i| input.data[i]);
+    let cross: Vec<Plane> = (0..3).map(|c| box_mean(w, h, radius, |i| guide[i][c] * input.data[i])).collect();
     const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
-    let square: Vec<Plane> = PAIRS.iter().map(|&(a, b)| mean(&|i| guide[i][a] * guide[i][b])).collect();
+    let square: Vec<Plane> =
+        PAIRS.iter().map(|&(a, b)| box_mean(w, h, radius, |i| guide[i][a] * guide[i][b])).collect();
 
     let coefficients: Vec<[f32; 4]> = (0..w * h)
         .into_par_iter()
@@ -30,7 +30,7 @@ pub fn guided_filter(guide: &[[f32; 3]], input: &Plane, radius: usize, eps: f32)
             [a[0], a[1], a[2], plain.data[i] - a[0] * m[0] - a[1] * m[1] - a[2] * m[2]]
         })
         .collect();
-    let smooth: Vec<Plane> = (0..4).map(|k| mean(&|i| coefficients[i][k])).collect();
+    let smooth: Vec<Plane> = (0..4).map(|k| box_mean(w, h, radius, |i| coefficients[i][k])).collect();
     let data = (0..w * h)
         .into_par_iter()
         .map(|i| (0..3).map(|c| smooth[c].data[i] * guide[i][c]).sum::<f32>() + smooth[3].data[i])
@@ -51,7 +51,7 @@ fn solve_symmetric([xx, xy, xz, yy, yz, zz]: [f32; 6], c: [f32; 3]) -> [f32; 3] 
 }
 
 /// Mean over the (2r + 1)² window, cut at the border. Sums run in f64 so that they do not drift.
-pub(super) fn box_mean(w: usize, h: usize, radius: usize, value: &(dyn Fn(usize) -> f32 + Sync)) -> Plane {
+pub(super) fn box_mean(w: usize, h: usize, radius: usize, value: impl Fn(usize) -> f32 + Sync) -> Plane {
     let mut rows = vec![0.0f32; w * h];
     rows.par_chunks_mut(w).enumerate().for_each(|(y, out)| {
         let at = |x: usize| f64::from(value(y * w + x));
@@ -100,7 +100,7 @@ mod tests {
     fn box_mean_is_the_mean() {
         let (w, h, r) = (23, 150, 4);
         let value = |i: usize| ((i * 7919) % 101) as f32;
-        let fast = box_mean(w, h, r, &value);
+        let fast = box_mean(w, h, r, value);
         for (x, y) in [(0usize, 0usize), (22, 149), (11, 63), (11, 64), (11, 65), (3, 128), (22, 70usize)] {
             let (mut sum, mut count) = (0.0, 0);
             for yy in y.saturating_sub(r)..=(y + r).min(h - 1) {

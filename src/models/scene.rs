@@ -13,6 +13,7 @@ use super::{Engine, Graph, Port, check_contract, prior};
 use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
 use crate::{Error, Result};
 use image::{GrayImage, RgbImage};
+use rayon::prelude::*;
 
 mod detail;
 mod looks;
@@ -156,8 +157,9 @@ pub fn subject(
     let (w, h) = (((pw as f32 * shrink).round() as usize).max(1), ((ph as f32 * shrink).round() as usize).max(1));
     let whole = Rect { x: 0.0, y: 0.0, width: pw as f32, height: ph as f32 };
     let guide = sample_colour(photo, whole, w, h, Edge::Clamp);
-    let working = RgbImage::from_fn(w as u32, h as u32, |x, y| {
-        image::Rgb(guide[y as usize * w + x as usize].map(|v| (v * 255.0).round() as u8))
+    let mut working = RgbImage::new(w as u32, h as u32);
+    working.par_chunks_exact_mut(3 * w).zip(guide.par_chunks_exact(w)).for_each(|(line, colours)| {
+        line.iter_mut().zip(colours.as_flattened()).for_each(|(byte, v)| *byte = (v * 255.0).round() as u8);
     });
     let canvas = Canvas { photo, working: &working, whole, width: w, height: h };
     let focus = point.map_or([0.5; 2], |[x, y]| [x / pw as f32, y / ph as f32]);

@@ -104,8 +104,8 @@ pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Optio
         let z = if inverse > 1e-3 { (1.0 / inverse) as f32 } else { f32::INFINITY };
         (z - seen.median_depth[i]).clamp(-FARTHEST, FARTHEST)
     };
-    let weight = crate::models::guided::box_mean(size, size, 2, &|i| f32::from(u8::from(sure[i])));
-    let sum = crate::models::guided::box_mean(size, size, 2, &|i| if sure[i] { shift(i) } else { 0.0 });
+    let weight = crate::models::guided::box_mean(size, size, 2, |i| f32::from(u8::from(sure[i])));
+    let sum = crate::models::guided::box_mean(size, size, 2, |i| if sure[i] { shift(i) } else { 0.0 });
     let g = &mut view.gaussians;
     let back = camera.rotation.transpose();
     for i in 0..g.len() {
