@@ -260,7 +260,7 @@ pub fn fit(
 ) -> Result<Fitted> {
     let mut clock = Clock::new();
     let mut outcome = sources::Outcome::default();
-    // Each network is loaded when its turn comes and gone before the next.
+    // Each network is loaded when its turn comes and gone before the next runs.
     progress.begin("mask", 0);
     let mask = sources.mask(photo, &mut outcome, progress)?;
     if mask.is_some() {
@@ -269,8 +269,14 @@ pub fn fit(
     progress.begin("mask and depth", 0);
     let cutout = mask.as_ref().or(photo.cutout.as_ref());
     let networks = models::scene::Networks::built_in(engine)?;
-    let mut subject = models::scene::subject(&photo.pixels, cutout, sources.point(), &networks)?;
-    drop(networks);
+    let looked = models::scene::looked(&photo.pixels, cutout, sources.point(), &networks)?;
+    // What is left to do with the mask keeps one core busy: another one loads the next network, where no other has its turn before.
+    let next = || {
+        drop(networks);
+        sources.depth.is_none().then(|| prior::SPLAT.loaded(engine))
+    };
+    let (subject, splat) = rayon::join(|| looked.subject(), next);
+    let mut subject = subject?;
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
@@ -281,7 +287,9 @@ pub fn fit(
     progress.check()?;
 
     progress.begin("3D from one view", 0);
-    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*prior::SPLAT.loaded(engine)?)?;
+    let splat = splat.unwrap_or_else(|| prior::SPLAT.loaded(engine))?;
+    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*splat)?;
+    drop(splat);
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
     if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {
         sources::fit_depth(&mut one_view, &mut subject, seen, &mut outcome);

@@ -124,19 +124,50 @@ impl Networks {
     }
 }
 
-/// Tells the subject from the rest and how far things are.
-///
-/// `cutout`, of the photo's size, replaces the network's mask. `point`, in pixels of the photo, lies on the subject;
-/// without one the subject is what stands in the middle.
+/// What the networks saw. What is left to do needs them no more.
+pub struct Looked {
+    /// The photo at working resolution, as bytes and as sRGB 0..1.
+    working: RgbImage,
+    guide: Vec<[f32; 3]>,
+    /// Photo pixels for one of them, horizontally and vertically.
+    scale: (f32, f32),
+    /// Where the subject is looked for, shares of the frame, and whether only there.
+    focus: [f32; 2],
+    central: bool,
+    /// As all looks have it, or the cut-out's.
+    mask: Plane,
+    /// The same finely drawn, and the pixels of it that one of the network's covers. `None` for a cut-out.
+    drawn: Option<(Plane, f32)>,
+    depth: Plane,
+    elevation: Elevation,
+}
+
+/// [`looked`] at, and what [`Looked::subject`] makes of it.
 ///
 /// # Errors
-/// A usage error when nothing stands out at the centre, or when the subject leaves no background at all.
+/// As both.
 pub fn subject(
     photo: &RgbImage,
     cutout: Option<&GrayImage>,
     point: Option<[f32; 2]>,
     networks: &Networks,
 ) -> Result<Subject> {
+    looked(photo, cutout, point, networks)?.subject()
+}
+
+/// Tells the subject from the rest and how far things are, as the networks see it.
+///
+/// `cutout`, of the photo's size, replaces the network's mask. `point`, in pixels of the photo, lies on the subject;
+/// without one the subject is what stands in the middle.
+///
+/// # Errors
+/// A usage error when nothing stands out at the centre, or when the subject leaves no background at all.
+pub fn looked(
+    photo: &RgbImage,
+    cutout: Option<&GrayImage>,
+    point: Option<[f32; 2]>,
+    networks: &Networks,
+) -> Result<Looked> {
     let graph = &*networks.scene;
     detail::check(&*networks.detail)?;
     check_contract(
@@ -184,42 +215,58 @@ pub fn subject(
             None => depth = second.depth,
         }
     }
-    let from_cutout = cutout.is_some();
-    let mut expected = None;
-    match cutout {
+    let central = point.is_none();
+    let drawn = match cutout {
         Some(alpha) => {
             let data = alpha.as_raw().iter().map(|&v| f32::from(v) / 255.0).collect();
             let full = Plane { width: pw as usize, height: ph as usize, data };
             mask = sample_plane(&full, whole, w, h, Edge::Clamp);
+            None
         }
         None => {
-            let rough = check(&mask, point.is_none())?;
+            let rough = check(&mask, central)?;
             let (mut drawn, pixel) = detail::drawn(&canvas, &mask, rough, &*networks.detail)?;
             keep_central(&mut drawn, 0.35, fringe, focus);
-            let finished = |rough: Plane, pixel: f32| -> Result<Plane> {
-                let found = check(&rough, point.is_none())?;
-                let mask = correct(&canvas, &guide, &rough, found, pixel, focus)?;
-                check(&mask, point.is_none())?;
+            Some((drawn, pixel))
+        }
+    };
+    let scale = (pw as f32 / w as f32, ph as f32 / h as f32);
+    Ok(Looked { working, guide, scale, focus, central, mask, drawn, depth, elevation })
+}
+
+impl Looked {
+    /// The mask as colours and edges leave it, and the depth from 0 to 1.
+    ///
+    /// # Errors
+    /// As [`looked`].
+    pub fn subject(mut self) -> Result<Subject> {
+        let (from_cutout, mut expected) = (self.drawn.is_none(), None);
+        if let Some((drawn, pixel)) = self.drawn.take() {
+            let finished = |rough: &Plane, pixel: f32| -> Result<Plane> {
+                let found = check(rough, self.central)?;
+                let mask = correct(&self.working, &self.guide, rough, found, pixel, self.focus)?;
+                check(&mask, self.central)?;
                 Ok(mask)
             };
-            // The fine mask is surer of itself than it is right; what four looks agree on says more.
-            let probability = mask.clone();
             // Where the fine mask is no subject any more the rough one stays.
-            mask = finished(drawn, pixel).or_else(|_| finished(mask, w.max(h) as f32 / SIZE as f32))?;
-            expected = Some(expected_iou(&probability, &mask));
+            let longest = self.mask.width.max(self.mask.height);
+            let mask = finished(&drawn, pixel).or_else(|_| finished(&self.mask, longest as f32 / SIZE as f32))?;
+            // The fine mask is surer of itself than it is right; what four looks agree on says more.
+            expected = Some(expected_iou(&self.mask, &mask));
+            self.mask = mask;
         }
+        normalise(&mut self.depth);
+        let bounds = check(&self.mask, self.central)?;
+        Ok(Subject {
+            mask: self.mask,
+            depth: self.depth,
+            bounds,
+            scale: self.scale,
+            from_cutout,
+            expected_iou: expected,
+            elevation: self.elevation,
+        })
     }
-    normalise(&mut depth);
-    let bounds = check(&mask, point.is_none())?;
-    Ok(Subject {
-        mask,
-        depth,
-        bounds,
-        scale: (pw as f32 / w as f32, ph as f32 / h as f32),
-        from_cutout,
-        expected_iou: expected,
-        elevation,
-    })
 }
 
 /// Below this the mask is said to be doubtful. Of 28 real photographs with masks checked by hand it is so for thirteen, whose masks have
@@ -239,7 +286,7 @@ pub fn expected_iou(probability: &Plane, mask: &Plane) -> f32 {
 
 /// The mask as colours and edges correct it where the networks doubt.
 fn correct(
-    canvas: &Canvas,
+    working: &RgbImage,
     guide: &[[f32; 3]],
     mask: &Plane,
     rough: Bounds,
@@ -248,7 +295,7 @@ fn correct(
 ) -> Result<Plane> {
     let (w, h) = (mask.width, mask.height);
     let size = (rough[2] - rough[0]).max(rough[3] - rough[1]);
-    let (small, colours) = smaller(canvas, mask);
+    let (small, colours) = smaller(working, mask);
     let step = |v: usize| v * small.width / w;
     let near = grown(rough.map(step), step(size / 4), small.width, small.height);
     let told = colour_model::evidence(&colours, &small, near);
@@ -269,12 +316,12 @@ fn correct(
 }
 
 /// The mask and the photo at the size at which they are cut, longer side at most [`CUT_SIDE`].
-fn smaller(canvas: &Canvas, mask: &Plane) -> (Plane, Vec<[f32; 3]>) {
+fn smaller(working: &RgbImage, mask: &Plane) -> (Plane, Vec<[f32; 3]>) {
     let shrink = (CUT_SIDE as f32 / mask.width.max(mask.height) as f32).min(1.0);
     let side = |v: usize| ((v as f32 * shrink).round() as usize).max(1);
     let (w, h) = (side(mask.width), side(mask.height));
     let small = sample_plane(mask, whole_of(mask), w, h, Edge::Clamp);
-    (small, sample_colour(canvas.working, whole_of(mask), w, h, Edge::Clamp))
+    (small, sample_colour(working, whole_of(mask), w, h, Edge::Clamp))
 }
 
 fn whole_of(plane: &Plane) -> Rect {
