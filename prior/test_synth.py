@@ -44,9 +44,67 @@ def test_objects_stand_on_their_ground_inside_the_unit_sphere():
         assert 1 <= count <= layout.PRIMS
         assert not rows[count:].any()
         assert np.isfinite(rows).all()
-        assert -1 < ground < 0
+        subject = rows[:count][rows[:count, layout.SUBJECT] == 1]
+        assert ground < 0
+        assert ground > -1 or len(subject) < count
         assert (rows[:count, layout.HALF_SIZE] > 0).all()
-        assert (np.linalg.norm(rows[:count, layout.CENTRE], axis=1) <= 1).all()
+        assert (np.linalg.norm(subject[:, layout.CENTRE], axis=1) <= 1).all()
+
+
+def test_what_an_animal_sits_on_is_not_of_it():
+    from synth.objects import beast, upright_animal
+    from synth.reptiles import sprawler
+
+    carried = 0
+    for seed in range(60):
+        rows, count, ground, _ = make_object(seed, upright_animal)
+        subject = rows[:count, layout.SUBJECT] == 1
+        assert subject.any()
+        carried += not subject.all()
+        # The ground lies as low as a perch reaches, and no higher than the animal's feet.
+        assert ground < 0
+        if subject.all():
+            assert ground > -1
+    assert 5 < carried < 30
+    assert all((make_object(seed, beast).rows[: make_object(seed, beast).count, layout.SUBJECT] == 1).all() for seed in range(20))
+    made = [make_object(seed, sprawler) for seed in range(30)]
+    assert 1 < sum((m.rows[: m.count, layout.SUBJECT] == 0).any() for m in made) < 15
+
+
+def test_disguises_leave_the_subject_and_what_is_not_disguised():
+    torch = pytest.importorskip("torch")
+    from synth.batches import BOUGHS, DISGUISED, add_boughs, disguise
+
+    torch.manual_seed(1)
+    n, own = 400, 3
+    prims = torch.rand(n, 40, layout.FLOATS)
+    prims[..., layout.SUBJECT] = 0
+    prims[:, :own, layout.SUBJECT] = 1
+    for columns in layout.COLOURS:
+        prims[:, :own, columns] = torch.tensor([0.3, 0.02, 0.02])
+    before, subject = prims.clone(), prims[:, :own].clone()
+    surroundings = torch.rand(n, layout.ENVIRONMENT_FLOATS)
+    around = surroundings.clone()
+    disguise(prims, surroundings, subject, torch.full((n,), own))
+    assert torch.equal(prims[:, :own], before[:, :own])
+    changed = (prims != before).flatten(1).any(1)
+    assert changed.float().mean() == pytest.approx(DISGUISED, abs=0.08)
+    painted = (prims != before)[..., layout.COLOURS[0]].any(-1)
+    red = prims[..., layout.COLOURS[0]][painted]
+    assert (red[:, 0] / red[:, 1]).median() == pytest.approx(15, rel=0.01)
+    ground = (surroundings != around).any(1)
+    assert ground.any() and (changed | ~ground).all()
+    assert set(torch.where((surroundings != around).any(0))[0].tolist()) == {12, 13, 14, 15, 16, 17, 29, 30, 31}
+
+    counts = torch.full((n,), own)
+    before = prims.clone()
+    add_boughs(prims, counts, torch.zeros(n))
+    assert torch.equal(prims[:, :own], before[:, :own])
+    assert 0.02 < (counts > own).float().mean() < 0.25 and counts.max() <= own + BOUGHS
+    rows = torch.cat([prims[i, own : counts[i]] for i in range(n)])
+    turns = rows[:, layout.ROTATION].reshape(-1, 3, 3)
+    assert torch.allclose(turns @ turns.transpose(1, 2), torch.eye(3).expand_as(turns), atol=2e-3)
+    assert (rows[:, layout.SUBJECT] == 0).all()
 
 
 def test_bounding_boxes_fit():

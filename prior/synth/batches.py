@@ -28,7 +28,10 @@ from .layout import (
     CYL,
     FLOATS,
     FOCAL,
+    GROUND_A,
+    GROUND_B,
     HALF_SIZE,
+    HILL_COLOUR,
     KIND,
     PATTERN_OFFSET,
     PRIMS,
@@ -52,6 +55,11 @@ DRESSED = 3
 DISTRACTORS = 5
 # Behind so many of the subjects with thin or pierced parts something stands that is seen through them.
 SEEN_THROUGH = 0.4
+# Boughs that may touch the subject of a photo, and in how many photos they do.
+BOUGHS = 4
+BOUGHED = 0.12
+# In so many photos what is around the subject has colours of the subject's.
+DISGUISED = 0.25
 GREY = 0.5
 
 
@@ -182,7 +190,7 @@ def staged(pool, chosen, size):
     pointed = uniform(chosen, 0, 1) < 0.5
     azimuth = uniform(chosen, 0, 6.283)
     elevation = elevations(chosen)
-    prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS) + 2, FLOATS, device=device)
+    prims = torch.zeros(n, PRIMS * (1 + DISTRACTORS) + BOUGHS + 2, FLOATS, device=device)
     prims[:, :PRIMS] = subject
     counts = pool.counts[chosen].clone().long()
     overgrown = uniform(chosen, 0, 1) < 0.18
@@ -190,9 +198,11 @@ def staged(pool, chosen, size):
     for i in range(DISTRACTORS):
         add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0, behind=through & (i == 1))
     ground = add_perch(prims, counts, ground)
+    add_boughs(prims, counts, azimuth)
     cameras, elevation = photo_cameras(azimuth, elevation, ground, size, pointed)
     daylight = uniform(chosen, 0, 1) < 0.4
     surroundings = environments(n, ground, device, daylight)
+    disguise(prims, surroundings, subject, pool.counts[chosen])
     return Stage(prims, counts.int(), cameras, elevation, surroundings, daylight, pointed)
 
 
@@ -298,6 +308,63 @@ def add_perch(prims, counts, ground):
     prims[torch.arange(n, device=device), at] = row
     counts += present
     return torch.where(present, ground - below, ground)
+
+
+def add_boughs(prims, counts, azimuth):
+    """In a few scenes boughs, posts or trunks that are not the subject's touch it, lie behind it or cross before it.
+
+    prims [n, P, 36], counts [n] and the camera's azimuth [n], radians; prims and counts grow in place.
+    """
+    n, capacity, _ = prims.shape
+    device = prims.device
+    present = uniform(azimuth, 0, 1) < BOUGHED
+    bark = torch.rand(n, 6, device=device) ** 1.5
+    to_camera = torch.stack([azimuth.cos(), azimuth.sin(), torch.zeros_like(azimuth)], 1)
+    up = fixed((0.0, 0.0, 1.0), device).expand(n, 3)
+    for _ in range(BOUGHS):
+        along = torch.randn(n, 3, device=device)
+        # Half of them lie about level.
+        along[:, 2] *= torch.where(uniform(azimuth, 0, 1) < 0.5, 0.25, 1.5)
+        along = F.normalize(along, dim=1)
+        across = F.normalize(torch.linalg.cross(up, along) + 1e-4, dim=1)
+        row = prims[:, 0].clone()
+        row[:, KIND] = CYL
+        row[:, SUBJECT] = 0
+        row[:, CUTOUT] = 0
+        row[:, TAPER] = uniform(azimuth, 0.4, 1)[:, None]
+        row[:, SHIFT] = 0
+        row[:, ROTATION] = torch.cat([across, torch.linalg.cross(along, across), along], 1)
+        thick = torch.exp(uniform(azimuth, -3.7, -1.6))
+        row[:, HALF_SIZE] = torch.stack([thick, thick, uniform(azimuth, 0.4, 1.8)], 1)
+        near = to_camera * uniform(azimuth, -0.5, 0.4)[:, None]
+        row[:, CENTRE] = 0.25 * torch.randn(n, 3, device=device) + near + along * uniform(azimuth, -0.8, 0.8)[:, None]
+        row[:, 20:26] = bark
+        one = present & (uniform(azimuth, 0, 1) < 0.6)
+        at = torch.where(one, counts, torch.full_like(counts, capacity - 1))
+        prims[torch.arange(n, device=device), at] = row
+        counts += one
+
+
+def disguise(prims, surroundings, subject, counts):
+    """In some scenes gives what is around the subject colours of the subject's, so that edges and shape must tell them apart.
+
+    prims [n, P, 36] and surroundings [n, 40] change in place; subject [n, PRIMS, 36], of whose rows counts [n] are used.
+    """
+    n, capacity, _ = prims.shape
+    device = prims.device
+    disguised = torch.rand(n, 1, device=device) < DISGUISED
+
+    def colours(many):
+        which = (torch.rand(n, many, device=device) * counts[:, None]).long()
+        own = torch.gather(subject[..., COLOURS[0]], 1, which[..., None].expand(-1, -1, 3))
+        return (own * torch.exp(0.2 * torch.randn(n, many, 1, device=device))).clamp(0.005, 0.98)
+
+    painted = disguised & (prims[..., SUBJECT] == 0) & (torch.rand(n, capacity, device=device) < 0.6)
+    for columns in COLOURS:
+        prims[..., columns] = torch.where(painted[..., None], colours(capacity), prims[..., columns])
+    lying = disguised & (torch.rand(n, 1, device=device) < 0.7)
+    for columns, colour in zip((GROUND_A, GROUND_B, HILL_COLOUR), colours(3).unbind(1), strict=True):
+        surroundings[:, columns] = torch.where(lying, colour, surroundings[:, columns])
 
 
 def photo_cameras(azimuth, elevation, ground, size, anywhere):

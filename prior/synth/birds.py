@@ -82,8 +82,9 @@ def hooked(head, coat, long, deep):
 
 
 def perch(kit, height):
-    """A branch, a post or a bar on a stand, that ends at `height`."""
+    """A branch, a post or a bar on a stand, that ends at `height`; not of the bird."""
     rng = kit.rng
+    bird = len(kit.primitives)
     wood = kit.material(base=np.array(BROWN) * rng.uniform(0.6, 2), pattern=STREAKS, frequency=rng.uniform(6, 14))
     kind = rng.choice(["branch", "post", "stand"])
     if kind == "branch":
@@ -95,6 +96,7 @@ def perch(kit, height):
         kit.between((0, -0.42, height - 0.03), (0, 0.42, height - 0.03), 0.035, material=wood)
         kit.between((0, 0, height - 0.7), (0, 0, height - 0.03), 0.03, material=wood)
         kit.add(CYL, (0, 0, height - 0.7), (0.28, 0.28, 0.03), material=wood)
+    kit.only_carries(bird)
 
 
 def penguin(kit):

@@ -20,6 +20,7 @@ class Primitive(NamedTuple):
     material: Material
     cut: tuple = (SOLID, 1.0, 1.0)  # what is cut out, bars per unit length, share that stays
     bevel: float = 0.0  # a box's rounded edges, as `layout.BEVEL` has them
+    subject: bool = True  # or something that it sits on, which no mask of it has
 
 
 class Kit:
@@ -49,6 +50,10 @@ class Kit:
         material = material or self.material()
         made = Primitive(kind, centre, half, taper, shift, rotation, material, cut, self.bevel)
         self.primitives += [made, mirrored(made)] if mirror else [made]
+
+    def only_carries(self, since):
+        """What was added after the first `since` primitives is not of the subject, but what it sits on."""
+        self.primitives[since:] = [p._replace(subject=False) for p in self.primitives[since:]]
 
     def material(self, base=None, dark=False, pattern=None, frequency=None, gloss=None, second=None):
         """A random material with whatever is given fixed; colours in linear light."""

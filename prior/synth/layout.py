@@ -49,6 +49,7 @@ SUBJECT_ONLY = 16
 # textures in the surroundings, what of the sky's light a near thing leaves, how much of that light has the sky's colour
 # (0..1), what out of the picture casts a shadow into it, and how fine that is.
 ENVIRONMENT_FLOATS = 40
+GROUND_A, GROUND_B, HILL_COLOUR = slice(12, 15), slice(15, 18), slice(29, 32)
 OPEN_SKY, LANDSCAPE, WALL, NOISE_ROOM, CLUTTER, TREES, TOWN, ROOM = range(8)
 NO_CASTER, ROOFLINE, CROWN, POSTS = range(4)
 EARTH, TILED, PAVED, GRASS, WATER, PLANKED, RUNWAY = range(7)

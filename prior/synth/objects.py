@@ -278,7 +278,7 @@ ADORNED = 0.25
 class Made(NamedTuple):
     """An object: primitive rows float32 [PRIMS, FLOATS], how many are used, the height of its ground, who made it.
 
-    The bounding box is centred on the origin; lengths are in units of half its diagonal.
+    The subject's bounding box is centred on the origin; lengths are in units of half its diagonal.
     """
 
     rows: np.ndarray
@@ -302,15 +302,16 @@ def make_object(seed, maker=None):
         primitives = adorned(primitives, *bounds(primitives), PRIMS - len(primitives), rng, kit.material)
     if maker not in ANGULAR and rng.random() < ROUNDED:
         primitives = rounded(primitives, rng)
-    low, high = bounds(primitives)
+    low, high = bounds([p for p in primitives if p.subject])
     centre = (low + high) / 2
     scale = 1 / (np.linalg.norm(high - low) / 2)
+    ground = bounds(primitives)[0][2]
     spin = turn("z", rng.uniform(0, 360) if rng.random() < 0.3 else 0)
     rows = np.zeros((PRIMS, FLOATS), np.float32)
     for i, primitive in enumerate(primitives):
         place = spin @ ((primitive.centre - centre) * scale)
         rows[i] = row(primitive, place, spin @ primitive.rotation, scale)
-    return Made(rows, len(primitives), (low - centre)[2] * scale, maker)
+    return Made(rows, len(primitives), (ground - centre[2]) * scale, maker)
 
 
 def draw_maker(rng):
@@ -344,11 +345,11 @@ def rounded(primitives, rng):
 
 
 def row(primitive, centre, rotation, scale):
-    """The primitive's row as `layout` describes it; marked as the subject's."""
-    kind, _, half, taper, shift, _, material, cut, bevel = primitive
+    """The primitive's row as `layout` describes it."""
+    kind, _, half, taper, shift, _, material, cut, bevel, subject = primitive
     shape = [kind, *centre, *rotation.T.ravel(), *(half * scale), *taper, shift[0] * scale, shift[1] * scale]
     look = [*material.first, *material.second, *material[2:]]
     gone, frequency, share = cut
     if kind in (BOX, BALL) and gone != SPOKES:
         frequency = frequency / scale
-    return np.array([*shape, *look, 1, gone, frequency, share, bevel])
+    return np.array([*shape, *look, subject, gone, frequency, share, bevel])

@@ -72,8 +72,10 @@ def sprawler(kit):
     long, fat, z = (0.5, 0.19, 0.24) if croc else (0.36, 0.12, 0.2) if name != "salamander" else (0.4, 0.1, 0.12)
     if name == "chameleon":
         z = 0.55
+        animal = len(kit.primitives)
         kit.between((-0.9, 0, 0.1), (0.75, 0, 0.22), 0.075, CYL, 0.8, skin(kit, BROWN, pattern=STREAKS, gloss=0.02))
         kit.between((-0.9, 0, 0), (-0.9, 0, 0.12), 0.1, material=skin(kit, BROWN))
+        kit.only_carries(animal)
     flat = 1.3 if croc else 0.6 if name == "chameleon" else 1.05
     tall = 1.6 if name == "chameleon" else 1.0
     hull(kit, [(-long, 0, z), (-long * 0.3, 0, z + 0.02), (long * 0.4, 0, z + 0.02), (long, 0, z + 0.02)], np.array([0.75, 1.0, 1.0, 0.7]) * fat * tall, coat, flat)

@@ -117,9 +117,11 @@ def textured(photo, alpha, depth, bank):
     tint = torch.where(uniform(0, 1) < 0.4, tint * green(n, device), tint)
     photo = photo + sky * strength(0.3, 1.4).clamp(max=1) * ((behind * tint).clamp(0, 1) - photo)
     # Reliefs: fur, dirt, leaves and the like multiply what is there.
-    photo = photo * torch.exp(subject * strength(0.6, 2.0) * relief())
+    ground, own = relief(), relief()
+    # Now and then both are alike: a stone on stones, a hare in dry grass.
+    own = torch.where(uniform(0, 1) < 0.2, ground, own)
+    photo = photo * torch.exp(subject * strength(0.6, 2.0) * own)
     around = (1 - subject) * (1 - sky)
-    ground = relief()
     photo = photo * torch.exp(around * strength(0.6, 2.2) * ground)
     # One veil over everything now and then: light through leaves, stains, reflections.
     return (photo * torch.exp(strength(0.12, 1.2) * ground.flip(3))).clamp(0, 1)
