@@ -26,8 +26,8 @@ pub static SCENE: Weights = Weights {
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.4",
-    sha256: "98c93d84d0adb2a382f52f99cc6f43a49e2b64aab8b40ad12248e2bb32c23f38",
+    version: "0.5",
+    sha256: "174773dc2cf2ce5b4079d757eb047afdd20ac478c67740e03156b525348e39ba",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 
