@@ -26,8 +26,8 @@ pub static SCENE: Weights = Weights {
 /// The photo around its subject and a rough mask → the mask finely drawn, inverse depth.
 pub static DETAIL: Weights = Weights {
     id: "orb-detail-net",
-    version: "0.5",
-    sha256: "174773dc2cf2ce5b4079d757eb047afdd20ac478c67740e03156b525348e39ba",
+    version: "0.6",
+    sha256: "cbb54b9775e5f9f50869036a13ae817fe8499c06b7133fe9e6aab99c4bd125ee",
     onnx: include_bytes!("../../prior/detail.onnx"),
 };
 
