@@ -101,11 +101,32 @@ fn has_slurm() -> bool {
 }
 
 #[test]
-fn here_and_on_slurm_to_the_same_bytes() {
+fn here_on_slurm_and_killed_and_gone_on_with_to_the_same_bytes() {
     let work = tempfile::tempdir().unwrap();
     let (data, manifest) = (work.path().join("data"), manifest(work.path()));
-    let here = work.path().join("here");
-    let out = batch(&[], &data, &manifest, &here, &["--jobs=2"]).output().unwrap();
+    let whole = work.path().join("whole");
+    runs_here(&data, &manifest, &whole);
+    if has_slurm() {
+        let there = work.path().join("there");
+        runs_on_slurm(&data, &manifest, &there);
+        same(&whole, &there);
+    }
+    let killed = work.path().join("killed");
+    goes_on_where_it_was_killed(&data, &manifest, &killed);
+    same(&whole, &killed);
+    does_again_what_is_missing_alone(&data, &manifest, &whole);
+    // The store holds its model already: the list of what this run wrote into it is empty, and the store as it was.
+    std::fs::copy(killed.join("second/orb-marking.json"), whole.join("second/orb-marking.json")).unwrap();
+    same(&whole, &killed);
+    // Another command in the same folder is another batch.
+    let other = batch(&[], &data, &manifest, &whole, &["--threads=1"]).output().unwrap();
+    assert!(other.status.code() == Some(2) && String::from_utf8_lossy(&other.stderr).contains("another"));
+    let forbidden = batch(&[], &data, &manifest, &whole, &[]).arg("--cdb=x").output().unwrap();
+    assert_eq!(forbidden.status.code(), Some(2));
+}
+
+fn runs_here(data: &Path, manifest: &Path, here: &Path) {
+    let out = batch(&[], data, manifest, here, &["--jobs=2"]).output().unwrap();
     let done = said(&out);
     assert_eq!(out.status.code(), Some(3), "a row is wrong: {done}");
     assert_eq!((&done["shards"], &done["published"], &done["already"]), (&2.into(), &3.into(), &0.into()), "{done}");
@@ -117,7 +138,7 @@ fn here_and_on_slurm_to_the_same_bytes() {
     assert!(check.status.success(), "{}", String::from_utf8_lossy(&check.stdout));
     for (shard, store) in [("joined/0000", true), ("joined/0001", true), ("second", false)] {
         let mut verify = Command::new(env!("CARGO_BIN_EXE_orb"));
-        verify.args(["audit", "verify"]).arg(here.join(shard)).env("ORB_DATA_DIR", &data);
+        verify.args(["audit", "verify"]).arg(here.join(shard)).env("ORB_DATA_DIR", data);
         if store {
             verify.arg("--store").arg(here.join("store.cdb"));
         } else {
@@ -126,28 +147,20 @@ fn here_and_on_slurm_to_the_same_bytes() {
         let verified = verify.output().unwrap();
         assert!(verified.status.success(), "{shard}: {}", String::from_utf8_lossy(&verified.stdout));
     }
-    if !has_slurm() {
-        return;
-    }
+}
+
+fn runs_on_slurm(data: &Path, manifest: &Path, there: &Path) {
     let script = root().join("tests/clients/slurm.sh");
-    let there = work.path().join("there");
     let out =
-        batch(&[script.to_str().unwrap()], &data, &manifest, &there, &["--engine=slurm", "--jobs=2"]).output().unwrap();
+        batch(&[script.to_str().unwrap()], data, manifest, there, &["--engine=slurm", "--jobs=2"]).output().unwrap();
     let done = said(&out);
     assert_eq!((&done["published"], &done["failed"].as_array().unwrap().len()), (&3.into(), &1), "{done}");
     assert!(String::from_utf8_lossy(&out.stderr).contains("job array"), "{}", String::from_utf8_lossy(&out.stderr));
-    same(&here, &there);
 }
 
-#[test]
-fn what_is_done_stays_and_what_was_killed_goes_on() {
-    let work = tempfile::tempdir().unwrap();
-    let (data, manifest) = (work.path().join("data"), manifest(work.path()));
-    let (whole, killed) = (work.path().join("whole"), work.path().join("killed"));
-    let run = |output: &Path, options: &[&str]| said(&batch(&[], &data, &manifest, output, options).output().unwrap());
-    assert_eq!(run(&whole, &[])["published"], 3);
+fn goes_on_where_it_was_killed(data: &Path, manifest: &Path, killed: &Path) {
     // Killed once the first row is there.
-    let mut child = batch(&[], &data, &manifest, &killed, &[]).stdout(std::process::Stdio::null()).spawn().unwrap();
+    let mut child = batch(&[], data, manifest, killed, &[]).stdout(std::process::Stdio::null()).spawn().unwrap();
     let begun = Instant::now();
     while !killed.join("first").is_dir() {
         assert!(begun.elapsed() < Duration::from_secs(300), "nothing was published");
@@ -157,35 +170,30 @@ fn what_is_done_stays_and_what_was_killed_goes_on() {
     child.wait().unwrap();
     // The run below it sees its input end.
     std::thread::sleep(Duration::from_secs(5));
-    let went_on = run(&killed, &["--retries=3"]);
+    let went_on = said(&batch(&[], data, manifest, killed, &["--retries=3"]).output().unwrap());
     let done = went_on["published"].as_u64().unwrap() + went_on["already"].as_u64().unwrap();
     assert!(done == 3 && went_on["already"].as_u64() >= Some(1), "{went_on}");
-    same(&whole, &killed);
+}
+
+fn does_again_what_is_missing_alone(data: &Path, manifest: &Path, whole: &Path) {
+    let run = || said(&batch(&[], data, manifest, whole, &[]).output().unwrap());
     // Once more: nothing is done again, no record is another.
-    let before = files(&whole);
-    let again = run(&whole, &[]);
+    let before = files(whole);
+    let again = run();
     assert_eq!((&again["published"], &again["already"]), (&0.into(), &3.into()), "{again}");
-    assert_eq!(files(&whole), before);
+    assert_eq!(files(whole), before);
     // A file that is not what the record says is said, and left as it is.
     let glb = whole.join("second/second.glb");
     let sound = std::fs::read(&glb).unwrap();
     let mut bytes = sound.clone();
     bytes[100] ^= 1;
     std::fs::write(&glb, &bytes).unwrap();
-    let found = run(&whole, &[]);
+    let found = run();
     assert_eq!((&found["already"], found["failed"].as_array().unwrap().len()), (&2.into(), 2), "{found}");
     assert!(found["failed"][0]["words"].as_str().unwrap().contains("OUTPUT_DIGEST"), "{found}");
     assert_eq!(std::fs::read(&glb).unwrap(), bytes);
     // Without its folder the row is run again, to the same bytes.
     std::fs::remove_dir_all(whole.join("second")).unwrap();
-    assert_eq!(run(&whole, &[])["published"], 1);
+    assert_eq!(run()["published"], 1);
     assert_eq!(std::fs::read(&glb).unwrap(), sound);
-    // The store holds its model already: the list of what this run wrote into it is empty, and the store as it was.
-    std::fs::copy(killed.join("second/orb-marking.json"), whole.join("second/orb-marking.json")).unwrap();
-    same(&whole, &killed);
-    // Another command in the same folder is another batch.
-    let other = batch(&[], &data, &manifest, &whole, &["--threads=1"]).output().unwrap();
-    assert!(other.status.code() == Some(2) && String::from_utf8_lossy(&other.stderr).contains("another"));
-    let forbidden = batch(&[], &data, &manifest, &whole, &[]).arg("--cdb=x").output().unwrap();
-    assert_eq!(forbidden.status.code(), Some(2));
 }

@@ -227,7 +227,11 @@ fn a_mask_of_ones_own_takes_the_networks_place() {
 #[test]
 fn the_doctor_says_what_is_there_and_what_is_missing() {
     let m = Machine::new();
-    ends(&m.orb(&["doctor"], &[]), 0, &["rten 0.27", "none imported for the mask", "signing key", "clock", "free"]);
+    ends(
+        &m.orb(&["doctor"], &[]),
+        0,
+        &["rten 0.27", "none imported for the mask", "signing key", "clock", "free", "proj "],
+    );
     // It changes nothing: no key is made.
     assert!(!m.path("data/keys").exists());
     ends(&m.import(&TRUST, &["depth_anything_v2.onnx"]), 0, &[]);

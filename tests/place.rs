@@ -307,4 +307,16 @@ fn small_tools() {
     assert!(code == Some(0) && said.contains("Polygon"), "{said}");
     let (code, said) = ask(&["convert", "91,0"]);
     assert!(code == Some(2) && said.contains("`91`"), "{said}");
+    // swisstopo's example, by the machine's PROJ; where there is none, its name and what to do are said.
+    let (code, said) = ask(&["convert", "EPSG:2056 2700000,1100000", "--json"]);
+    if code == Some(0) {
+        let json: serde_json::Value = serde_json::from_str(&said).unwrap();
+        let off =
+            [json["latitude"].as_f64().unwrap() - 46.044_130_6, json["longitude"].as_f64().unwrap() - 8.730_497_2];
+        assert!(off.iter().all(|degrees| degrees.abs() < 2e-5), "{said}");
+        assert!(json["written_as"].as_str().unwrap().starts_with("EPSG code (PROJ "), "{said}");
+    } else {
+        let required = std::env::var_os("ORB_REQUIRE_CLIENTS").is_some_and(|v| v == "1");
+        assert!(!required && code == Some(2) && said.contains("no PROJ") && said.contains("libproj25"), "{said}");
+    }
 }

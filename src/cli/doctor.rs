@@ -12,6 +12,7 @@ use super::networks::{EngineArgs, registry};
 use crate::audit::keys::{KeySource, SigningKey};
 use crate::audit::time::{SyncStatus, now};
 use crate::audit::{DataFolder, TrustStore};
+use crate::geo::proj_version;
 use crate::models::engine::{Engine as _, Rten, discovery};
 use crate::models::registry::catalogue::Catalogue;
 use crate::models::registry::{Registry, Stage};
@@ -57,6 +58,7 @@ pub fn run(args: &DoctorArgs, data: &DataFolder) -> Result<Outcome> {
     findings.extend(gpu(data));
     findings.extend(engines(&args.engine, data));
     findings.extend(networks(&registry(data)));
+    findings.push(proj());
     findings.extend([disk("data folder", data.path()), disk("current folder", Path::new("."))]);
     findings.extend([clock(), key(data), trust(data)]);
     let exit_code = match findings.iter().any(|f| f.state == State::Problem) {
@@ -211,6 +213,20 @@ fn networks(registry: &Registry) -> Vec<Finding> {
         }
     }
     all
+}
+
+fn proj() -> Finding {
+    match proj_version() {
+        Some([major, minor, patch]) => {
+            finding("proj", State::Good, format!("PROJ {major}.{minor}.{patch}: every EPSG code is read"), "")
+        }
+        None => finding(
+            "proj",
+            State::Note,
+            "none is found: EPSG codes of WGS84 alone are read",
+            "its library lets --origin take every EPSG code (Debian: libproj25 and proj-data)",
+        ),
+    }
 }
 
 fn disk(topic: &'static str, path: &Path) -> Finding {

@@ -1,7 +1,8 @@
-//! `EPSG:code x,y[,z]`. WGS84's own codes are built in; with the cargo feature `proj`, PROJ reads every other.
+//! `EPSG:code x,y[,z]`. WGS84's own codes are built in; PROJ reads every other, where the machine has it.
 
 use super::Ecef;
 use super::datum::AltDatum;
+use super::proj::Proj;
 use super::utm::Utm;
 use super::wgs84::A;
 use super::written::{Fault, Written, fault, from_grid, in_range, number};
@@ -10,7 +11,7 @@ use crate::{Error, Result};
 /// Reads what stands behind `EPSG:`. Numbers in the order of the code's own axes: latitude first for 4326 and 4979.
 ///
 /// # Errors
-/// A usage error on `subject` that names the wrong part; a code that this build does not know.
+/// A usage error on `subject` that names the wrong part; a code of another system on a machine without PROJ.
 pub(super) fn parse(subject: &str, text: &str) -> Result<Written> {
     let bad = |(expected, found): Fault| {
         Error::usage(subject)
@@ -41,7 +42,7 @@ pub(super) fn parse(subject: &str, text: &str) -> Result<Written> {
     let z = (words.len() == 3).then_some((v[2], z_step / 2.0));
     match code.parse().ok().and_then(|code| built_in(code, v, z, step)) {
         Some(read) => read.and_then(in_range).map_err(bad),
-        None => other(subject, code, v, z, step),
+        None => other(subject, code, v, z, step, Proj::find()),
     }
 }
 
@@ -57,6 +58,7 @@ fn built_in(code: u32, [x, y, _]: [f64; 3], z: Option<(f64, f64)>, step: f64) ->
             height_rounding: z.map_or(0.0, |z| z.1),
             sigma: None,
             form: "EPSG code",
+            proj: None,
         })
     };
     let grid = |zone, north, easting, northing| {
@@ -78,6 +80,7 @@ fn built_in(code: u32, [x, y, _]: [f64; 3], z: Option<(f64, f64)>, step: f64) ->
                     height_rounding: z_rounding,
                     sigma: None,
                     form: "EPSG code",
+                    proj: None,
                 })
             }
         },
@@ -95,19 +98,23 @@ fn built_in(code: u32, [x, y, _]: [f64; 3], z: Option<(f64, f64)>, step: f64) ->
     })
 }
 
-#[cfg(not(feature = "proj"))]
-fn other(subject: &str, code: &str, _: [f64; 3], _: Option<(f64, f64)>, _: f64) -> Result<Written> {
-    Err(Error::usage(subject)
-        .expected("a code of WGS84: 4326, 4979, 4978, 3857, 32601 to 32660, 32701 to 32760, 5041, 5042")
-        .found(format!("EPSG:{code}"))
-        .advice("This orb was built without PROJ: build it with `--features proj`, or convert the point first."))
-}
-
-#[cfg(feature = "proj")]
-fn other(subject: &str, code: &str, v: [f64; 3], z: Option<(f64, f64)>, step: f64) -> Result<Written> {
+/// A code that is not built in, by the machine's PROJ where it has one.
+fn other(
+    subject: &str,
+    code: &str,
+    v: [f64; 3],
+    z: Option<(f64, f64)>,
+    step: f64,
+    proj: Option<Proj>,
+) -> Result<Written> {
+    let Some(proj) = proj else {
+        return Err(Error::usage(subject)
+            .expected("a code of WGS84 (4326, 4979, 4978, 3857, 32601 to 32660, 32701 to 32760, 5041, 5042), or PROJ's library on this machine")
+            .found(format!("EPSG:{code}, and no PROJ"))
+            .advice("Install PROJ (Debian: libproj25 and proj-data), or convert the point first."));
+    };
     let refused = |why: String| Error::usage(subject).expected("a point that PROJ can convert").found(why);
-    let got =
-        super::proj::to_wgs84(&format!("EPSG:{code}"), v).map_err(|why| refused(format!("EPSG:{code}: {why}")))?;
+    let got = proj.to_wgs84(&format!("EPSG:{code}"), v).map_err(|why| refused(format!("EPSG:{code}: {why}")))?;
     let read = Written {
         latitude: got.latitude,
         longitude: got.longitude,
@@ -117,6 +124,7 @@ fn other(subject: &str, code: &str, v: [f64; 3], z: Option<(f64, f64)>, step: f6
         height_rounding: z.map_or(0.0, |z| z.1),
         sigma: None,
         form: "EPSG code",
+        proj: Some(proj.version()),
     };
     in_range(read).map_err(|(expected, found)| refused(format!("{found}, not {expected}")))
 }
@@ -143,10 +151,10 @@ mod tests {
         assert!(parse_point("p", "EPSG:4978 1,2").is_err());
     }
 
-    #[cfg(not(feature = "proj"))]
     #[test]
-    fn other_codes_are_refused_by_name() {
-        let e = parse_point("--origin", "EPSG:2056 2600000,1200000").unwrap_err().to_string();
-        assert!(e.contains("EPSG:2056") && e.contains("--features proj"), "{e}");
+    fn other_codes_are_refused_by_name_where_there_is_no_proj() {
+        let e = super::other("--origin", "2056", [2_600_000.0, 1_200_000.0, 0.0], None, 1.0, None).unwrap_err();
+        let e = e.to_string();
+        assert!(e.contains("EPSG:2056") && e.contains("no PROJ") && e.contains("libproj25"), "{e}");
     }
 }

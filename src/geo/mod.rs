@@ -12,7 +12,6 @@ pub mod mgrs;
 pub mod ortho;
 mod placement;
 mod positive;
-#[cfg(feature = "proj")]
 mod proj;
 pub mod scale;
 pub mod sidecar;
@@ -26,6 +25,7 @@ mod written;
 pub use datum::{AltDatum, Height, to_ellipsoid};
 pub use extents::{Extents, convex_hull};
 pub use placement::{HeadingSource, Placement, Uncertainty};
+pub use proj::version as proj_version;
 pub use scale::{Known, Scale, ScaleSource, View, metres_per_unit};
 pub use utm::{Utm, normalised_longitude, standard_zone};
 pub use wgs84::{Ecef, Enu, Geodetic, LocalFrame};

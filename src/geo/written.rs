@@ -22,6 +22,18 @@ pub struct Written {
     /// One standard deviation, metres, where the form has a place for it.
     pub sigma: Option<f64>,
     pub form: &'static str,
+    /// The version of PROJ that converted it, where Orb did not itself.
+    pub proj: Option<[i32; 3]>,
+}
+
+impl Written {
+    /// How it was read, in words.
+    pub fn read_as(&self) -> String {
+        match self.proj {
+            None => self.form.to_owned(),
+            Some([major, minor, patch]) => format!("{} (PROJ {major}.{minor}.{patch})", self.form),
+        }
+    }
 }
 
 /// Metres a degree of latitude, for roundings.
@@ -126,6 +138,7 @@ fn military(text: &str) -> Result<Written, Fault> {
         height_rounding: up.map_or(0.0, |h| h.1),
         sigma: None,
         form: "MGRS",
+        proj: None,
     })
 }
 
@@ -199,7 +212,17 @@ pub(super) fn from_grid(at: Utm, height: Option<(f64, f64)>, rounding: f64) -> R
     let (latitude, longitude) = at.to_degrees();
     let form = if at.zone == 0 { "UPS" } else { "UTM" };
     let (height, height_rounding) = (height.map(|h| h.0), height.map_or(0.0, |h| h.1));
-    Ok(Written { latitude, longitude, height, height_datum: None, rounding, height_rounding, sigma: None, form })
+    Ok(Written {
+        latitude,
+        longitude,
+        height,
+        height_datum: None,
+        rounding,
+        height_rounding,
+        sigma: None,
+        form,
+        proj: None,
+    })
 }
 
 /// RFC 5870: `lat,lon[,alt][;crs=wgs84][;u=metres][;…]`; the altitude is WGS84's own, above the ellipsoid.
@@ -237,6 +260,7 @@ fn geo_uri(rest: &str) -> Result<Written, Fault> {
         height_rounding: up.map_or(0.0, |h| h.1),
         sigma,
         form: "geo URI",
+        proj: None,
     })
 }
 
@@ -264,6 +288,7 @@ fn degrees(text: &str) -> Result<Written, Fault> {
         rounding: latitude.step.max(longitude.step * latitude.degrees.to_radians().cos()) / 2.0 * DEGREE,
         sigma: None,
         form: if latitude.sexagesimal || longitude.sexagesimal { "degrees, minutes, seconds" } else { "degrees" },
+        proj: None,
     })
 }
 

@@ -67,7 +67,7 @@ impl Wanted {
                 horizontal,
                 vertical: o.sigma.unwrap_or(o.height_rounding / 3f64.sqrt()),
                 is: self.origin_is.unwrap_or(OriginIs::Subject),
-                words: format!("given as {}", o.form),
+                words: format!("given as {}", o.read_as()),
             });
         }
         let Some(p) = exif.position else {

@@ -119,7 +119,7 @@ fn convert(c: &Convert, year: f64) -> Result<String> {
                 "utm": {"zone": u.zone, "north": u.north, "easting": u.easting, "northing": u.northing},
                 "mgrs": grid, "geo": uri, "ecef": up.map(|_| [ecef.x, ecef.y, ecef.z]),
                 "geoid_egm96_m": undulation, "msl_height_m": up.map(|h| h - undulation), "declination_deg": declination,
-                "written_as": written.form, "rounding_m": written.rounding,
+                "written_as": written.read_as(), "rounding_m": written.rounding,
             })
         ));
     }
@@ -150,7 +150,7 @@ fn convert(c: &Convert, year: f64) -> Result<String> {
     }
     line("geoid", format!("{} m above the ellipsoid (EGM96)", metres(undulation)));
     line("declination", format!("{declination:.2}° (WMM2025, {year:.1})"));
-    line("read as", format!("{}, its last place worth {} m", written.form, rounding(&written)));
+    line("read as", format!("{}, its last place worth {} m", written.read_as(), rounding(&written)));
     Ok(out)
 }
 
