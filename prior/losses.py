@@ -142,11 +142,11 @@ NARROW = 7
 SLENDER_WEIGHT = 2.0
 
 
-def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0):
+def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0, overlap=0.2):
     """Returns loss, figures {name: number} and picture columns, each [n, 3, S, S] in 0..1.
 
     `heed` adds what a critic asks for: `critic.Adversary.heeded`. `perceived`: weight of how unlike views look to `perception`, a
-    `perception.Perception`.
+    `perception.Perception`; `overlap`: of how well the views' silhouettes fit.
     """
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
@@ -172,7 +172,7 @@ def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0):
     camera_loss = (camera_loss * present[:, 0, 0, 0] * fixed(CAMERA_WEIGHTS, camera_loss.device)).sum(1).mean()
     size_loss = F.relu(splats["scale"] - 0.06).mean()
     loss = colour_loss + alpha_loss + 0.7 * edge_loss / 3 + 0.25 * depth_loss + 2 * size_loss
-    loss = loss + 0.2 * overlap_loss + 0.02 * elevation_loss + camera_loss
+    loss = loss + overlap * overlap_loss + 0.02 * elevation_loss + camera_loss
     figures = {
         **view_scores(answer, truth, alpha, batch.alpha, present[:, 0]),
         "overlap": overlap_loss,

@@ -60,6 +60,7 @@ def arguments():
     parser.add_argument("--critic-from", type=float, default=0, help="share of the schedule that passes before there is a critic")
     parser.add_argument("--critic-init", default="", help="critic.pt of an earlier training; without it the critic begins anew")
     parser.add_argument("--perception", type=float, default=0, help="SplatNet: weight of how unlike its views look to --eyes, 0.04 for one")
+    parser.add_argument("--overlap", type=float, default=0.2, help="SplatNet: weight of its views' silhouettes, 1 - Dice")
     parser.add_argument("--eyes", default="detail.onnx", help="DetailNet's weights, which --perception looks by")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--hold", nargs="*", default=[], help="parameters whose names begin so stay as they are, net.mid for one")
@@ -282,6 +283,8 @@ def main():
     take_step = STEPS[args.net]
     if masks:
         take_step = functools.partial(take_step, masks=masks)
+    if args.net == "splat":
+        take_step = functools.partial(take_step, overlap=args.overlap)
     if args.perception and args.net == "splat":
         perception = Perception(args.eyes).cuda().to(memory_format=torch.channels_last)
         take_step = functools.partial(take_step, perception=perception, perceived=args.perception)

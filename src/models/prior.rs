@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.15.1",
-    sha256: "399d83cfd0f789987d904fe93c8df553f25e37e36aeb9f73c35c05cbf4228b1d",
+    version: "0.16",
+    sha256: "5ee4c8dc78d4debb319dc16cc0101595dce84bf49de351f48b030a072893ed90",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
