@@ -285,9 +285,9 @@ def main():
         take_step = functools.partial(take_step, masks=masks)
     if args.net == "splat":
         take_step = functools.partial(take_step, overlap=args.overlap)
-    if args.perception and args.net == "splat":
-        perception = Perception(args.eyes).cuda().to(memory_format=torch.channels_last)
-        take_step = functools.partial(take_step, perception=perception, perceived=args.perception)
+        if args.perception:
+            perception = Perception(args.eyes).cuda().to(memory_format=torch.channels_last)
+            take_step = functools.partial(take_step, perception=perception, perceived=args.perception)
     step, spent, columns = train(net, take_step, optimizers, average, adversary, pool, args, spent, step, rank, world)
     if rank == 0:
         save(net, average, optimizers, adversary, spent, step, path)
