@@ -1,5 +1,6 @@
 """Checks of the generator that need no GPU: python -m pytest test_synth.py."""
 
+import math
 import re
 from pathlib import Path
 
@@ -105,6 +106,22 @@ def test_disguises_leave_the_subject_and_what_is_not_disguised():
     turns = rows[:, layout.ROTATION].reshape(-1, 3, 3)
     assert torch.allclose(turns @ turns.transpose(1, 2), torch.eye(3).expand_as(turns), atol=2e-3)
     assert (rows[:, layout.SUBJECT] == 0).all()
+
+
+def test_one_photo_in_five_is_taken_from_the_air():
+    torch = pytest.importorskip("torch")
+    from synth.batches import STEEPEST, elevations, truth_cameras
+
+    torch.manual_seed(0)
+    angles = elevations(torch.zeros(20000))
+    assert angles.max() <= STEEPEST and angles.min() >= -0.3
+    # All that look down by more than 0.95 are of that fifth, whose angles begin at 0.6.
+    assert abs((angles > 0.95).float().mean().item() - 0.2 * (STEEPEST - 0.95) / (STEEPEST - 0.6)) < 0.01
+    rotation, _ = truth_cameras(torch.zeros(2000), torch.full((2000,), STEEPEST), 3.9, 4)
+    # A degree from straight down cameras still know where up is.
+    assert torch.isfinite(rotation).all() and (torch.linalg.det(rotation) - 1).abs().max() < 1e-4
+    down = -rotation[:, 2:, 2, 2]
+    assert abs((down > math.sin(1.0)).float().mean().item() - 0.1) < 0.02
 
 
 def test_bounding_boxes_fit():

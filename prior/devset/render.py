@@ -1,16 +1,19 @@
 """Render the development set: photos, masks and truth views of artist-made models, with their cameras.
 
-    python render.py SRC_DIR OUT_DIR [NAME ...] [--preview]
+    python render.py SRC_DIR OUT_DIR [NAME ...] [--preview] [--above SET_DIR]
 
 OUT_DIR/NAME/ gets photo_plain.jpg, photo_outdoor.jpg, mask.png (512 x 512), gt/00.png .. 23.png (RGBA, 256 x 256, not
 premultiplied), mesh.glb (metres, Y up) and cameras.json as ../evaluate.py reads it. Path tracing by Mitsuba 3 on the
-CPU; the same name gives the same picture. --preview draws only a small sheet of every object.
+CPU; the same name gives the same picture. --preview draws only a small sheet of every object. --above takes the photos
+as a drone would, from 50 to 88 degrees above the horizon, in the light that the truth views of SET_DIR have, which is a
+set as this program makes it without --above; those views and the mesh are copied from there.
 """
 
 import argparse
 import hashlib
 import json
 import math
+import shutil
 import time
 from pathlib import Path
 
@@ -28,6 +31,7 @@ from PIL import Image
 HERE = Path(__file__).parent
 PHOTO, TRUTH = 512, 256
 PHOTO_SAMPLES, TRUTH_SAMPLES, MASK_SAMPLES = 64, 24, 16
+ABOVE = 50, 88  # degrees
 
 
 def camera(centre, azimuth, elevation, distance, fov, size):
@@ -113,35 +117,42 @@ def write_mesh(parts, path):
     path.write_bytes(scene.export(file_type="glb"))
 
 
-def render_object(name, about, src, out):
+def render_object(name, about, src, out, level_set=None):
     parts, size = read_object(name, about, src)
     radius, centre = float(np.linalg.norm(size) / 2), np.array([0, 0, size[2] / 2])
     rng = np.random.default_rng(int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "little"))
     azimuth, fov = about["azimuth"], about["fov"]
     side = float(rng.choice([-1, 1]) * rng.uniform(35, 60))
     distance = radius / math.sin(math.radians(fov) / 2) * float(rng.uniform(0.95, 1.15))
-    world, entry = camera(centre, azimuth, about["elevation"], distance, fov, PHOTO)
+    level, entry = camera(centre, azimuth, about["elevation"], distance, fov, PHOTO)
+    world = level
+    if level_set:
+        digest = hashlib.sha256(name.encode()).digest()[4:8]
+        steep = float(np.random.default_rng(int.from_bytes(digest, "little")).uniform(*ABOVE))
+        world, entry = camera(centre, azimuth, steep, distance, fov, PHOTO)
     entry |= {"group": "photo", "azimuth_rel_photo_deg": 0}
     folder = out / name
     (folder / "gt").mkdir(parents=True, exist_ok=True)
-    eye = sensor(world, fov, PHOTO)
+    eye, level_eye = sensor(world, fov, PHOTO), sensor(level, fov, PHOTO)
 
     opaque = mi.load_dict(scenes.alone_scene(parts, radius, centre, azimuth, side, opaque=True))
     _, mask = picture(opaque, eye, MASK_SAMPLES, 1)
     Image.fromarray((mask * 255 + 0.5).astype(np.uint8)).save(folder / "mask.png")
+    level_mask = picture(opaque, level_eye, MASK_SAMPLES, 1)[1] if level_set else mask
     del opaque
 
     plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng))
     linear, _ = picture(plain, eye, PHOTO_SAMPLES, 2)
-    exposure = 0.9 / max(np.percentile(linear[mask > 0.9].max(1), 97), np.percentile(linear.max(-1), 85))
-    level = brightness(linear, mask) * exposure
+    seen = picture(plain, level_eye, PHOTO_SAMPLES, 2)[0] if level_set else linear
+    exposure = 0.9 / max(np.percentile(seen[level_mask > 0.9].max(1), 97), np.percentile(seen.max(-1), 85))
+    subject = brightness(linear, mask) * exposure
     Image.fromarray(srgb8(linear * exposure)).save(folder / "photo_plain.jpg", quality=93)
     del plain
 
     outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src))
     linear, _ = picture(outdoor, eye, PHOTO_SAMPLES, 3)
     # As bright as in the plain photo, so that the truth views fit both; but no burnt surroundings.
-    gain = min(level / brightness(linear, mask), 0.65 / np.median(linear.max(-1)))
+    gain = min(subject / brightness(linear, mask), 0.65 / np.median(linear.max(-1)))
     Image.fromarray(srgb8(linear * gain)).save(folder / "photo_outdoor.jpg", quality=93)
     del outdoor
 
@@ -150,6 +161,15 @@ def render_object(name, about, src, out):
         {"name": "plain", "file": "photo_plain.jpg"} | entry,
         {"name": "outdoor", "file": "photo_outdoor.jpg"} | entry,
     ]
+    about_set = {"name": name, "size_m": size.tolist(), "fov_x_deg": fov, "photo_azimuth_deg": azimuth}
+    about_set["world"] = "Z up, metres; the model is centred on x = y = 0 and stands on z = 0"
+    if level_set:
+        known = json.loads((level_set / name / "cameras.json").read_text())["views"]
+        truth = [v for v in known if v["group"] == "gt"]
+        for file in ["mesh.glb", *(v["file"] for v in truth)]:
+            shutil.copyfile(level_set / name / file, folder / file)
+        (folder / "cameras.json").write_text(json.dumps(about_set | {"views": views + truth}, indent=1))
+        return
     alone = mi.load_dict(scenes.alone_scene(parts, radius, centre, azimuth, side))
     away = radius / math.sin(math.radians(20)) * 1.04
     for i in range(24):
@@ -162,8 +182,6 @@ def render_object(name, about, src, out):
         file = f"gt/{i:02}.png"
         Image.fromarray(rgba).save(folder / file)
         views.append({"name": f"gt{i:02}", "file": file, "group": "gt", "azimuth_rel_photo_deg": around} | view)
-    about_set = {"name": name, "size_m": size.tolist(), "fov_x_deg": fov, "photo_azimuth_deg": azimuth}
-    about_set["world"] = "Z up, metres; the model is centred on x = y = 0 and stands on z = 0"
     (folder / "cameras.json").write_text(json.dumps(about_set | {"views": views}, indent=1))
     write_mesh(parts, folder / "mesh.glb")
 
@@ -191,6 +209,7 @@ def main():
     parser.add_argument("out", type=Path)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--preview", action="store_true")
+    parser.add_argument("--above", type=Path, metavar="SET_DIR")
     args = parser.parse_args()
     objects = json.loads((HERE / "objects.json").read_text())["objects"]
     objects = {n: objects[n] for n in args.names or objects}
@@ -200,7 +219,7 @@ def main():
         return
     for name, about in objects.items():
         start = time.time()
-        render_object(name, about, args.src, args.out)
+        render_object(name, about, args.src, args.out, args.above)
         print(name, f"{time.time() - start:.0f} s", flush=True)
 
 

@@ -1,9 +1,9 @@
 """Score SplatNet alone on generated objects that it has never seen, maker by maker: what it has not learned, and what others' objects cost.
 
-    python devset/score_generated.py SPLAT [--count 8] [--makers car,person,...]     # the network: .onnx, or .pt of a training
+    python devset/score_generated.py SPLAT [--count 8] [--makers car,person,...] [--above]     # the network: .onnx, or .pt of a training
 
-Objects are those of seeds below one million, which no training draws (`train.py`). Photos are of eye height and above, unspoilt, with
-true masks; views and figures as `score_networks.py` has them for shapes: six views all around on white, here of 128 pixels.
+Objects are those of seeds below one million, which no training draws (`train.py`). Photos are of eye height and above, or with --above
+of 50 to 88 degrees, as drones take them; unspoilt, with true masks; views and figures as `score_networks.py` has them for shapes: six views all around on white, here of 128 pixels.
 """
 
 import argparse
@@ -29,15 +29,17 @@ FIRST_SEED = 500_000
 # Of the views: azimuths from the photo's and elevations, degrees; field of view and pixels.
 AROUND, ABOVE = (0, 120, 240, 15, 135, 255), (8, 8, 8, 32, 32, 32)
 FOV, SIZE = 40, 128
+# Of the photos, radians.
+LEVEL, STEEP = (0.03, 0.4), (0.873, 1.536)
 
 
-def photographed(maker, count):
-    """Crops [n, 4, 256, 256] of a maker's objects, and what they were made from: primitives, counts, surroundings, azimuths, elevations."""
+def photographed(maker, count, elevations):
+    """Crops [n, 4, 256, 256] of a maker's objects from between two elevations, and what they were made from: primitives, counts, surroundings, azimuths, elevations."""
     made = [objects.make_object(FIRST_SEED + i, maker) for i in range(count)]
     prims = batches.recolour(torch.from_numpy(np.stack([m.rows for m in made])))
     counts = torch.tensor([m.count for m in made], dtype=torch.int32)
     each = torch.arange(count, dtype=torch.int32)
-    azimuth, elevation, fov = (batches.uniform(each, *between) for between in ((0, 6.283), (0.03, 0.4), (0.35, 0.8)))
+    azimuth, elevation, fov = (batches.uniform(each, *between) for between in ((0, 6.283), elevations, (0.35, 0.8)))
     rotation, translation = look_at(orbit(azimuth, elevation, 1.02 / torch.sin(fov / 2)))
     ground = torch.tensor([m.ground for m in made], dtype=torch.float32) - 1e3
     light = environments(count, ground, "cpu", batches.uniform(each, 0, 1) < 0.4)
@@ -67,10 +69,10 @@ def true_views(prims, counts, light, azimuth):
 
 
 @torch.no_grad()
-def score_maker(splat, maker, count):
+def score_maker(splat, maker, count, elevations):
     """The means of `view_figures` and of the elevation's error over a maker's objects."""
     torch.manual_seed(FIRST_SEED)
-    crops, (prims, counts, light, azimuth, elevation) = photographed(maker, count)
+    crops, (prims, counts, light, azimuth, elevation) = photographed(maker, count, elevations)
     rows = []
     for i in range(count):
         one = slice(i, i + 1)
@@ -88,6 +90,7 @@ def main():
     parser.add_argument("splat")
     parser.add_argument("--count", type=int, default=8, help="objects a maker")
     parser.add_argument("--makers", help="names with commas between them; all where this is left out")
+    parser.add_argument("--above", action="store_true", help="photos from the air")
     args = parser.parse_args()
     makers = {maker.__name__: maker for maker, _ in objects.MAKERS}
     names = args.makers.split(",") if args.makers else list(makers)
@@ -97,7 +100,7 @@ def main():
     print("IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; these three placed best; elevation error")
     rows = []
     for name in names:
-        rows.append(score_maker(splat, makers[name], args.count))
+        rows.append(score_maker(splat, makers[name], args.count, STEEP if args.above else LEVEL))
         print(f"    {name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
     print("mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
 

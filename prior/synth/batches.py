@@ -61,6 +61,8 @@ BOUGHED = 0.12
 # In so many photos what is around the subject has colours of the subject's.
 DISGUISED = 0.25
 GREY = 0.5
+# The most that cameras look down, radians: at straight down no side of the picture is towards the subject's front.
+STEEPEST = 1.55
 
 
 class Pool(NamedTuple):
@@ -114,10 +116,11 @@ def uniform(like, low, high):
 
 
 def elevations(like):
-    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above."""
+    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, one in five
+    from the air, up to straight above."""
     kind = uniform(like, 0, 1)
-    usual = uniform(like, -0.02, 0.5)
-    return torch.where(kind < 0.55, usual, torch.where(kind < 0.8, uniform(like, -0.08, 0.95), uniform(like, -0.3, 0.12)))
+    usual = torch.where(kind < 0.43, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
+    return torch.where(kind < 0.64, usual, torch.where(kind < 0.8, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
 
 
 def recolour(prims):
@@ -528,7 +531,9 @@ def truth_cameras(azimuth, elevation, distance, views):
     """The photo's own side, one near it, the others anywhere; rotation [n, V, 3, 3], translation [n, V, 3]."""
     around = [azimuth, azimuth + uniform(azimuth, -0.9, 0.9)]
     around += [uniform(azimuth, 0, 6.283) for _ in range(views - 2)]
-    above = [elevation] + [uniform(azimuth, -0.25, 1.0) for _ in range(views - 1)]
+    above = [elevation] + [
+        torch.where(uniform(azimuth, 0, 1) < 0.9, uniform(azimuth, -0.25, 1.0), uniform(azimuth, 1.0, STEEPEST)) for _ in range(views - 1)
+    ]
     around = torch.stack(around, 1)
     return look_at(orbit(around, torch.stack(above, 1), torch.full_like(around, distance)))
 

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.16",
-    sha256: "5ee4c8dc78d4debb319dc16cc0101595dce84bf49de351f48b030a072893ed90",
+    version: "0.17",
+    sha256: "f5a928bca19668fc4b1c249165d879f3f2af95ec43ac4db47a051435bc46bb86",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
