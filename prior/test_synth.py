@@ -74,7 +74,7 @@ def test_what_an_animal_sits_on_is_not_of_it():
 
 def test_disguises_leave_the_subject_and_what_is_not_disguised():
     torch = pytest.importorskip("torch")
-    from synth.batches import BOUGHS, DISGUISED, add_boughs, disguise
+    from synth.clutter import BOUGHS, DISGUISED, add_boughs, disguise
 
     torch.manual_seed(1)
     n, own = 400, 3

@@ -3,7 +3,6 @@
 Every random draw on the GPU comes from PyTorch's global generator, in a fixed order.
 """
 
-import math
 from multiprocessing import Pool as Processes
 from typing import NamedTuple
 
@@ -13,33 +12,12 @@ import torch.nn.functional as F
 
 from nets import CROP_HALF, CROP_NEARNESS, halved
 
-from .cameras import crop, fixed, inverses, look_at, matrices, orbit, pack, rolled
+from .cameras import crop, inverses, look_at, matrices, orbit, pack, rolled
+from .clutter import BOUGHS, add_boughs, add_distractor, add_perch, disguise
+from .draws import recolour, uniform
 from .environments import environments
 from .foliage import broadleaf, leafy
-from .layout import (
-    BALL,
-    BOX,
-    CENTRE,
-    CENTRE_X,
-    CENTRE_Y,
-    COLOURS,
-    CUT_FREQUENCY,
-    CUTOUT,
-    CYL,
-    FLOATS,
-    FOCAL,
-    GROUND_A,
-    GROUND_B,
-    HALF_SIZE,
-    HILL_COLOUR,
-    KIND,
-    PATTERN_OFFSET,
-    PRIMS,
-    ROTATION,
-    SHIFT,
-    SUBJECT,
-    TAPER,
-)
+from .layout import CENTRE_X, CENTRE_Y, FLOATS, FOCAL, PRIMS
 from .lens import bent, coarsened, defocused, exposed, stored
 from .masks import damaged, leaked
 from .objects import COMPANIONS, SLENDER, make_object
@@ -55,11 +33,6 @@ DRESSED = 3
 DISTRACTORS = 5
 # Behind so many of the subjects with thin or pierced parts something stands that is seen through them.
 SEEN_THROUGH = 0.4
-# Boughs that may touch the subject of a photo, and in how many photos they do.
-BOUGHS = 4
-BOUGHED = 0.12
-# In so many photos what is around the subject has colours of the subject's.
-DISGUISED = 0.25
 GREY = 0.5
 # The most that cameras look down, radians: at straight down no side of the picture is towards the subject's front.
 STEEPEST = 1.55
@@ -110,34 +83,12 @@ def subjects(pool, n, slender):
     return torch.where(torch.rand(n, device=device) < slender, thin, any_)
 
 
-def uniform(like, low, high):
-    """One number a row of `like` [n, ...], on its device."""
-    return torch.rand(len(like), device=like.device) * (high - low) + low
-
-
 def elevations(like):
     """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, one in five
     from the air, up to straight above."""
     kind = uniform(like, 0, 1)
     usual = torch.where(kind < 0.43, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
     return torch.where(kind < 0.64, usual, torch.where(kind < 0.8, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
-
-
-def recolour(prims):
-    """Fresh colours on known shapes, [n, P, 36] -> [n, P, 36]: per object, channels permuted and colours scaled."""
-    n = len(prims)
-    device = prims.device
-    order = torch.argsort(torch.rand(n, 3, device=device), 1)
-    out = prims.clone()
-    gain = torch.exp(0.35 * torch.randn(n, 1, 1, device=device))
-    permuted = (torch.rand(n, device=device) < 0.4)[:, None, None]
-    for columns in COLOURS:
-        colour = prims[..., columns]
-        shuffled = torch.gather(colour, 2, order[:, None].expand(-1, colour.shape[1], -1))
-        colour = torch.where(permuted, shuffled, colour)
-        out[..., columns] = (colour * gain).clamp(0.005, 0.98)
-    out[..., PATTERN_OFFSET] += 50 * torch.rand(n, 1, device=device)
-    return out
 
 
 # ---------------------------------------------------------------- photos of scenes
@@ -226,148 +177,6 @@ def calmed(changed, photo, daylight, chance):
     """Of pictures [n, 3, S, S], where `daylight` [n] is set and with that chance, a random part of the change alone."""
     part = torch.where(daylight & (uniform(photo, 0, 1) < chance), uniform(photo, 0, 0.6), torch.ones_like(photo[:, 0, 0, 0]))
     return photo + part[:, None, None, None] * (changed - photo)
-
-
-def add_distractor(prims, counts, pool, ground, azimuth, overgrown, before, behind):
-    """In just under half of the scenes, one more object behind or beside the subject; prims and counts grow in place.
-
-    prims [n, P, 36], counts [n] int64, ground [n], azimuth [n] of the camera in radians. `before`: in some scenes
-    a low one in front instead. Where `overgrown` [n] is set, trees and bushes close around and in front. Where `behind` [n] is
-    set, the object stands close behind the subject, about as large.
-    """
-    n, capacity, _ = prims.shape
-    device = prims.device
-    chosen = torch.randint(len(pool.prims), (n,), device=device)
-    companions = pool.companions[torch.randint(len(pool.companions), (n,), device=device)]
-    front = (uniform(ground, 0, 1) < 0.3) & before
-    chosen = torch.where((uniform(ground, 0, 1) < 0.5) | front, companions, chosen)
-    foliage = pool.foliage[torch.randint(len(pool.foliage), (n,), device=device)]
-    chosen = torch.where(overgrown, foliage, chosen)
-    rows = recolour(pool.prims[chosen])
-    scale = torch.where(front, torch.exp(uniform(ground, -1.8, -0.6)), torch.exp(uniform(ground, -1.1, 1.1)))
-    near = uniform(ground, 0, 1) < 0.3
-    distance = torch.where(near, uniform(ground, 0.9, 1.6), uniform(ground, 1.5, 6))
-    distance = torch.where(front, uniform(ground, 1.0, 1.7), distance * (0.6 + 0.5 * scale) + 0.3 * scale)
-    bearing = azimuth + math.pi + uniform(ground, -1, 1) * torch.where(near, 2.4, 1.4)
-    bearing = torch.where(front, azimuth + uniform(ground, -0.7, 0.7), bearing)
-    scale = torch.where(overgrown, torch.exp(uniform(ground, -1.5, 0.1)), scale)
-    distance = torch.where(overgrown, uniform(ground, 0.8, 1.5) + 0.3 * scale, distance)
-    bearing = torch.where(overgrown, azimuth + uniform(ground, -1.7, 1.7), bearing)
-    scale = torch.where(behind, torch.exp(uniform(ground, -0.5, 0.5)), scale)
-    distance = torch.where(behind, uniform(ground, 0.7, 1.8) + 0.5 * scale, distance)
-    bearing = torch.where(behind, azimuth + math.pi + uniform(ground, -0.5, 0.5), bearing)
-    present = (uniform(ground, 0, 1) < torch.where(overgrown, 0.8, 0.45)) | behind
-    up = ground - pool.grounds[chosen] * scale
-    offset = torch.stack([distance * bearing.cos(), distance * bearing.sin(), up], 1)
-    rows[..., CENTRE] = rows[..., CENTRE] * scale[:, None, None] + offset[:, None]
-    rows[..., HALF_SIZE] *= scale[:, None, None]
-    rows[..., SHIFT] *= scale[:, None, None]
-    # Bars around a round wall are counted by the turn, all others by length.
-    by_length = rows[..., KIND] < 1.5
-    rows[..., CUT_FREQUENCY] /= torch.where(by_length, scale[:, None], torch.ones_like(scale[:, None]))
-    rows[..., SUBJECT] = 0
-
-    added = torch.where(present, pool.counts[chosen].long(), torch.zeros_like(counts))
-    slot = torch.arange(PRIMS, device=device)[None]
-    target = counts[:, None] + slot
-    # Rows that are not used land on the last slot, which no scene reaches.
-    target = torch.where(slot < added[:, None], target, torch.full_like(target, capacity - 1))
-    prims.scatter_(1, target[..., None].expand(-1, -1, FLOATS), rows)
-    counts += added
-
-
-def add_perch(prims, counts, ground):
-    """In a few scenes the subject stands on a mound, a slab or a log that is not its own; the ground lies lower there.
-
-    prims [n, P, 36] and counts [n] grow in place; returns the ground's heights [n].
-    """
-    n, capacity, _ = prims.shape
-    device = prims.device
-    present = uniform(ground, 0, 1) < 0.1
-    kind = fixed((BALL, BOX, CYL), device)[torch.randint(3, (n,), device=device)]
-    high = torch.exp(uniform(ground, -3, -0.5))
-    row = prims[:, 0].clone()
-    row[:, KIND] = kind.float()
-    row[:, SUBJECT] = 0
-    row[:, CUTOUT] = 0
-    row[:, TAPER] = 1
-    row[:, SHIFT] = 0
-    turn = uniform(ground, 0, 6.283)
-    c, s, zero = turn.cos(), turn.sin(), torch.zeros_like(turn)
-    upright = torch.stack([c, s, zero, -s, c, zero, zero, zero, zero + 1], 1)
-    # A log lies level: its own z is the first level axis.
-    lying = torch.stack([-s, c, zero, zero, zero, zero + 1, c, s, zero], 1)
-    log = (kind == CYL)[:, None]
-    row[:, ROTATION] = torch.where(log, lying, upright)
-    reach = torch.exp(torch.rand(n, 2, device=device) * 1.4 - 0.7)
-    flat = torch.cat([reach, high[:, None]], 1)
-    along = torch.stack([high * 0.4, high * 0.4, reach[:, 0] * 1.5], 1)
-    row[:, HALF_SIZE] = torch.where(log, along, flat)
-    below = torch.where(log[:, 0], high * 0.4, high) * uniform(ground, 0.8, 1)
-    aside = 0.3 * torch.randn(n, 2, device=device)
-    row[:, CENTRE] = torch.cat([aside, (ground - below)[:, None]], 1)
-    row[:, 20:26] = torch.rand(n, 6, device=device) ** 1.5
-    at = torch.where(present, counts, torch.full_like(counts, capacity - 1))
-    prims[torch.arange(n, device=device), at] = row
-    counts += present
-    return torch.where(present, ground - below, ground)
-
-
-def add_boughs(prims, counts, azimuth):
-    """In a few scenes boughs, posts or trunks that are not the subject's touch it, lie behind it or cross before it.
-
-    prims [n, P, 36], counts [n] and the camera's azimuth [n], radians; prims and counts grow in place.
-    """
-    n, capacity, _ = prims.shape
-    device = prims.device
-    present = uniform(azimuth, 0, 1) < BOUGHED
-    bark = torch.rand(n, 6, device=device) ** 1.5
-    to_camera = torch.stack([azimuth.cos(), azimuth.sin(), torch.zeros_like(azimuth)], 1)
-    up = fixed((0.0, 0.0, 1.0), device).expand(n, 3)
-    for _ in range(BOUGHS):
-        along = torch.randn(n, 3, device=device)
-        # Half of them lie about level.
-        along[:, 2] *= torch.where(uniform(azimuth, 0, 1) < 0.5, 0.25, 1.5)
-        along = F.normalize(along, dim=1)
-        across = F.normalize(torch.linalg.cross(up, along) + 1e-4, dim=1)
-        row = prims[:, 0].clone()
-        row[:, KIND] = CYL
-        row[:, SUBJECT] = 0
-        row[:, CUTOUT] = 0
-        row[:, TAPER] = uniform(azimuth, 0.4, 1)[:, None]
-        row[:, SHIFT] = 0
-        row[:, ROTATION] = torch.cat([across, torch.linalg.cross(along, across), along], 1)
-        thick = torch.exp(uniform(azimuth, -3.7, -1.6))
-        row[:, HALF_SIZE] = torch.stack([thick, thick, uniform(azimuth, 0.4, 1.8)], 1)
-        near = to_camera * uniform(azimuth, -0.5, 0.4)[:, None]
-        row[:, CENTRE] = 0.25 * torch.randn(n, 3, device=device) + near + along * uniform(azimuth, -0.8, 0.8)[:, None]
-        row[:, 20:26] = bark
-        one = present & (uniform(azimuth, 0, 1) < 0.6)
-        at = torch.where(one, counts, torch.full_like(counts, capacity - 1))
-        prims[torch.arange(n, device=device), at] = row
-        counts += one
-
-
-def disguise(prims, surroundings, subject, counts):
-    """In some scenes gives what is around the subject colours of the subject's, so that edges and shape must tell them apart.
-
-    prims [n, P, 36] and surroundings [n, 40] change in place; subject [n, PRIMS, 36], of whose rows counts [n] are used.
-    """
-    n, capacity, _ = prims.shape
-    device = prims.device
-    disguised = torch.rand(n, 1, device=device) < DISGUISED
-
-    def colours(many):
-        which = (torch.rand(n, many, device=device) * counts[:, None]).long()
-        own = torch.gather(subject[..., COLOURS[0]], 1, which[..., None].expand(-1, -1, 3))
-        return (own * torch.exp(0.2 * torch.randn(n, many, 1, device=device))).clamp(0.005, 0.98)
-
-    painted = disguised & (prims[..., SUBJECT] == 0) & (torch.rand(n, capacity, device=device) < 0.6)
-    for columns in COLOURS:
-        prims[..., columns] = torch.where(painted[..., None], colours(capacity), prims[..., columns])
-    lying = disguised & (torch.rand(n, 1, device=device) < 0.7)
-    for columns, colour in zip((GROUND_A, GROUND_B, HILL_COLOUR), colours(3).unbind(1), strict=True):
-        surroundings[:, columns] = torch.where(lying, colour, surroundings[:, columns])
 
 
 def photo_cameras(azimuth, elevation, ground, size, anywhere):
