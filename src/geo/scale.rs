@@ -166,12 +166,27 @@ impl Scale {
     pub fn words(&self) -> String {
         self.estimates.iter().map(|e| e.words.as_str()).collect::<Vec<_>>().join("; ")
     }
+
+    /// What is to be said against a scale that rests on an eye's height where the photo looks down as from the air.
+    pub fn doubt_from_the_air(&self, hints: &Hints, view: &View) -> Option<String> {
+        let assumed = self.source.by_camera_height() && hints.camera_height.by == By::Assumption;
+        (assumed && view.elevation > LOOKS_DOWN).then(|| {
+            format!(
+                "the photo looks down at the subject by {:.0}°, as from the air, and the size is that of one seen from {} m above its \
+                 ground, which is assumed. Give --camera-height, or --height, --length or --width of the subject, in metres.",
+                view.elevation.to_degrees(),
+                hints.camera_height.metres
+            )
+        })
+    }
 }
 
 /// Of a phone's main camera, where EXIF is silent.
 pub const ASSUMED_FOCAL_35MM: f64 = 28.0;
 /// A camera held at a standing person's eye.
 pub const ASSUMED_CAMERA_HEIGHT: Measured = Measured { metres: 1.6, sigma: 0.2, by: By::Assumption };
+/// From here on down, radians, nobody who stands there took the photo; what is small and near aside.
+const LOOKS_DOWN: f32 = 0.7;
 /// Phones have 24 to 28 mm, their other cameras and other people's zooms anything: a quarter.
 const ASSUMED_FOCAL_SIGMA: f64 = 0.25;
 /// The tag is a whole number of millimetres of a nominal lens.

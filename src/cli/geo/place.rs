@@ -225,6 +225,7 @@ pub fn place(
     if scale.contradictory {
         warnings.push(format!("what gives the scale contradicts itself: {}", scale.words()));
     }
+    warnings.extend(scale.doubt_from_the_air(&hints, &view));
     if scale.sigma > HARDLY_KNOWN {
         warnings.push(format!(
             "the size is known to a factor of {:.1} alone, one standard deviation: the photo looks level or up at the subject, and \

@@ -32,6 +32,17 @@ fn a_known_dimension_outweighs_what_is_assumed() {
     assert!((0.01..0.03).contains(&s.sigma) && !s.contradictory);
 }
 
+#[test]
+fn an_eyes_height_is_doubted_where_the_photo_looks_down() {
+    let said = |elevation, hints: &Hints| {
+        metres_per_unit(hints, &EXTENTS, &view(elevation)).unwrap().doubt_from_the_air(hints, &view(elevation))
+    };
+    assert!(said(60.0, &hints(&[])).unwrap().contains("by 60°"));
+    assert_eq!(said(30.0, &hints(&[])), None);
+    assert_eq!(said(60.0, &standing(40.0)), None);
+    assert_eq!(said(60.0, &hints(&[Known::Length(4.6)])), None);
+}
+
 /// A camera built from the formula's own geometry, seen from 3 m up, gives its scale back.
 #[test]
 fn camera_height_gives_the_scale_of_a_known_scene() {
