@@ -3,7 +3,8 @@
     python devset/score_generated.py SPLAT [--count 8] [--makers car,person,...] [--above]     # the network: .onnx, or .pt of a training
 
 Objects are those of seeds below one million, which no training draws (`train.py`). Photos are of eye height and above, or with --above
-of 50 to 88 degrees, as drones take them; unspoilt, with true masks; views and figures as `score_networks.py` has them for shapes: six views all around on white, here of 128 pixels.
+of 50 to 88 degrees, as drones take them; unspoilt, with true masks; views and figures as `score_networks.py` has them for shapes:
+six views all around on white, here of 128 pixels.
 """
 
 import argparse
@@ -34,7 +35,8 @@ LEVEL, STEEP = (0.03, 0.4), (0.873, 1.536)
 
 
 def photographed(maker, count, elevations):
-    """Crops [n, 4, 256, 256] of a maker's objects from between two elevations, and what they were made from: primitives, counts, surroundings, azimuths, elevations."""
+    """Crops [n, 4, 256, 256] of a maker's objects from between two elevations, and what they were made from: primitives, counts,
+    surroundings, azimuths, elevations."""
     made = [objects.make_object(FIRST_SEED + i, maker) for i in range(count)]
     prims = batches.recolour(torch.from_numpy(np.stack([m.rows for m in made])))
     counts = torch.tensor([m.count for m in made], dtype=torch.int32)
