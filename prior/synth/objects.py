@@ -10,6 +10,7 @@ from .airfields import airfield
 from .airships import airborne
 from .armour import gunship, tracked
 from .arms import hand_tool
+from .assault_guns import assault_gun
 from .beasts import beast
 from .buildings import house, mast, store, tower
 from .carried import carried
@@ -84,6 +85,7 @@ from .wild import crawler, sprout
 from .works import barrier, works
 from .workshop import machine
 from .worn import worn
+from .yard import concrete_mixer, sailing_boat, spacecraft, waste_bin
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
@@ -230,6 +232,11 @@ MAKERS = [
     (ruin, 9),
     (open_building, 14),
     (public_building, 14),
+    (assault_gun, 8),
+    (concrete_mixer, 4),
+    (waste_bin, 6),
+    (sailing_boat, 5),
+    (spacecraft, 3),
     (kitbash, 5),
     (blob, 9),
     (composition, 90),
@@ -251,6 +258,7 @@ SLENDER = {
     *(sporty, vintage, heavy, railcraft, patrol, two_wheeler, sculpture, people_dressed, furnishing, playground, machine),
     *(lattice_mast, mast, windmill, fence, street_furniture, open_shed, play_house, play_tower, pavilion, leafy, broadleaf, plant),
     *(figure, person, quadruped, bird, seat, furniture, instrument, framework),
+    *(assault_gun, concrete_mixer, sailing_boat, spacecraft),
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
@@ -258,7 +266,7 @@ ANGULAR = {
     *(church, castle, arch, scaffold, lattice_mast, mast, crane, fence, street_furniture, store, container, plant_hall, windmill, hut, truss_bridge, works, barrier, large_furniture),
     *(helicopter_type, strongpoint, ruin, open_building, public_building),
     *(launcher, sensor_truck, installation, airfield, monumental, railcraft, dwelling, town_building, patrol, furnishing, playground, machine),
-    *(assembly,),
+    *(assembly, assault_gun),
 }
 # Of the others, how many are made of bodies with rounded corners, and their exponents (`layout.BEVEL`).
 ROUNDED = 0.55
