@@ -69,8 +69,8 @@ def look(net, photo):
 
 
 def joined(scene, splat):
-    """One elevation (radians) of what SceneNet [m, 2] and SplatNet [1, 2] say of it: means weighed by their precision; from the
-    air SplatNet's alone, as the program has it."""
+    """One elevation (radians) of what SceneNet [m, 2] and SplatNet, which was told, [1, 2] say of it: means weighed by their precision;
+    from the air SplatNet's alone, as the program has it."""
     if splat[0, 0] > FROM_THE_AIR:
         return splat[0, 0]
     rows = torch.stack([torch.stack([scene[:, 0].mean(), scene[:, 1].mean()]), splat[0]])
@@ -215,7 +215,7 @@ def score_object(folder, scene, splat):
                 print(folder.name, view["name"], source, "shows no subject")
                 continue
             with torch.no_grad():
-                splats = splat(rgba)
+                splats = splat(rgba, seen.mean(0, keepdim=True))
             said = {"scene": seen[:, 0].mean(), "splat": splats["elevation"][0, 0], "": joined(seen, splats["elevation"])}
             errors = {k: abs(math.degrees(v.item()) - view["elevation_deg"]) for k, v in said.items()}
             scores = {f"{k}_elevation_error_deg".lstrip("_"): v for k, v in errors.items()}

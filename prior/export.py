@@ -46,25 +46,25 @@ class Detail(torch.nn.Module):
 
 
 class Splat(torch.nn.Module):
-    """rgba [1, 4, 256, 256] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
+    """rgba [1, 4, 256, 256], hint [1, 2] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
 
     def __init__(self, net):
         super().__init__()
         self.n = net
 
-    def forward(self, rgba):
-        out = self.n(rgba)
+    def forward(self, rgba, hint):
+        out = self.n(rgba, hint)
         return tuple(out[name] for name in ("pos", "scale", "quat", "opacity", "rgb", "elevation", "camera", "error"))
 
 
-def export(wrapped, example, path, input_name, output_names, four_bits=()):
+def export(wrapped, examples, path, input_names, output_names, four_bits=()):
     wrapped.eval()
     with torch.no_grad():
         torch.onnx.export(
             wrapped,
-            (example,),
+            examples,
             path,
-            input_names=[input_name],
+            input_names=input_names,
             output_names=output_names,
             opset_version=OPSET,
             dynamo=False,
@@ -74,11 +74,11 @@ def export(wrapped, example, path, input_name, output_names, four_bits=()):
     print(path, os.path.getsize(path), "bytes")
 
 
-# Of each network: what wraps it, and the names of its input and outputs.
+# Of each network: what wraps it, and the names of its inputs and outputs.
 GRAPHS = {
-    "scene": (Scene, "image", SCENE_OUTPUTS),
-    "detail": (Detail, "image", DETAIL_OUTPUTS),
-    "splat": (Splat, "rgba", SPLAT_OUTPUTS),
+    "scene": (Scene, ["image"], SCENE_OUTPUTS),
+    "detail": (Detail, ["image"], DETAIL_OUTPUTS),
+    "splat": (Splat, ["rgba", "hint"], SPLAT_OUTPUTS),
 }
 
 
@@ -93,8 +93,9 @@ def main():
     if args.error:
         learned = torch.load(args.error, map_location="cpu", weights_only=True)
         net.load_state_dict({k: v.float() for k, v in learned.items() if k.startswith("er.")}, strict=False)
-    wrapper, source, outputs = GRAPHS[args.net]
-    export(wrapper(net), torch.rand(1, 4, net.SIZE, net.SIZE), args.out, source, outputs, FOUR_BITS.get(args.net, ()))
+    wrapper, sources, outputs = GRAPHS[args.net]
+    examples = (torch.rand(1, 4, net.SIZE, net.SIZE), torch.full((1, 2), 0.2))[: len(sources)]
+    export(wrapper(net), examples, args.out, sources, outputs, FOUR_BITS.get(args.net, ()))
 
 
 if __name__ == "__main__":

@@ -150,7 +150,7 @@ def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0, overlap=
     """
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
-        splats = net(batch.rgba)
+        splats = net(batch.rgba, batch.hint)
     colour, alpha = render(splats | brought_home(splats, batch), batch.views, batch.lenses, batch.alpha.shape[-1])
     background = torch.rand(*batch.colour.shape[:3], 1, 1, device=colour.device)
     made = torch.cat([colour + (1 - alpha) * background, alpha], 2)
@@ -199,7 +199,7 @@ def error_step(net, pool, n):
     """
     batch = splat_batch(pool, n, SplatNet.FOV, SplatNet.DIST)
     with torch.autocast("cuda", torch.bfloat16):
-        splats = net(batch.rgba)
+        splats = net(batch.rgba, batch.hint)
     home = splats | brought_home(splats, batch)
     home["rgb"] = torch.cat([home["rgb"], splats["error"][..., None]], 2)
     drawn, alpha = render(home, batch.views, batch.lenses, batch.alpha.shape[-1])

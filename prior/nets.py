@@ -89,11 +89,12 @@ class UNet(nn.Module):
         if near:
             self.pos_near = nn.Parameter(torch.zeros(1, 4 * grid * grid, widths[-2]))
 
-    def forward(self, x, beside=0):
-        """`beside` [B, widths[0], S, S]: what is known at each pixel from elsewhere, added to the stem's features."""
+    def forward(self, x, beside=0, told=0):
+        """`beside` [B, widths[0], S, S]: what is known at each pixel from elsewhere, added to the stem's features; `told`
+        [B, 1, widths[-1]]: of the whole picture, added to the tokens."""
         skips = way_down(self.down, self.stem(x) + beside)
         x = skips[-1]
-        tokens = self.norm(attended(x, self.pos, self.mid))
+        tokens = self.norm(attended(x, self.pos + told, self.mid))
         x = as_map(tokens, x.shape)
         for i, up in enumerate(self.up):
             if i > 0:
@@ -153,6 +154,14 @@ def level(cin, width, blocks):
 def head(width, numbers):
     """From the mean token to a few numbers about the whole picture; they start at 0."""
     layers = nn.Sequential(nn.Linear(width, 128), nn.SiLU(), nn.Linear(128, numbers))
+    nn.init.zeros_(layers[2].weight)
+    nn.init.zeros_(layers[2].bias)
+    return layers
+
+
+def hint_head(width):
+    """From what is known beforehand of the elevation (`SplatNet.forward`), as three numbers, to what is added to every token; 0 at first."""
+    layers = nn.Sequential(nn.Linear(3, 64), nn.SiLU(), nn.Linear(64, width))
     nn.init.zeros_(layers[2].weight)
     nn.init.zeros_(layers[2].bias)
     return layers
@@ -243,6 +252,7 @@ class SplatNet(nn.Module):
         super().__init__()
         self.layers = layers
         self.net = UNet(4, (48, 96, 160, 256), cout=layers * self.CHANNELS, grid=16, depth=48, heads=8, near=12)
+        self.hint = hint_head(256)
         self.el = head(256, 2)
         self.camera = head(256, 4)
         self.er = ErrorHead(48, 256, layers)
@@ -251,10 +261,15 @@ class SplatNet(nn.Module):
             self.net.head.weight *= 0.3
             self.net.head.bias.zero_()
 
-    def forward(self, x):
+    def forward(self, x, hint=None):
+        """`hint` [B, 2]: what whoever saw more than the crop says of the elevation, and the error to be expected of it, both in
+        radians: SceneNet, or a gimbal that measured it. An error of 0, or no hint: nobody says."""
+        hint = x.new_zeros(len(x), 2) if hint is None else hint
+        said = (hint[:, 1:] > 0).float()
+        hint = torch.cat([hint[:, :1], torch.log(hint[:, 1:].clamp(min=0.01) * 10), said], 1) * said
         fine = self.fine(x * 2 - 1)
         x = halved(x)
-        y, mean_token, features = self.net(x * 2 - 1, fine)
+        y, mean_token, features = self.net(x * 2 - 1, fine, self.hint(hint)[:, None])
         error = self.er(features, mean_token).float()
         y = y.float()
         mean_token = mean_token.float()
@@ -341,7 +356,7 @@ def grown(net, state):
     fresh = net.state_dict()
     state = deepened(deepened(dict(state), fresh, "net.mid."), fresh, "net.near.")
     for name, value in fresh.items():
-        if name.startswith(("el.", "camera.", "er.", "fine.")):
+        if name.startswith(("hint.", "el.", "camera.", "er.", "fine.")):
             if name not in state:
                 state[name] = value.clone()
             elif len(state[name]) < len(value):
@@ -398,5 +413,5 @@ def load_weights(net, path):
         return net
     stored = torch.load(path, map_location="cpu", weights_only=True)
     state = stored.get("ema", stored)
-    net.load_state_dict({k: v.float() if v.is_floating_point() else v for k, v in state.items()})
+    net.load_state_dict(grown(net, {k: v.float() if v.is_floating_point() else v for k, v in state.items()}))
     return net

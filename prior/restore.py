@@ -148,13 +148,16 @@ def compare(which, net, path, seed=0):
         print("not compared: onnxruntime is not installed")
         return
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
-    (source,) = session.get_inputs()
-    example = torch.rand(source.shape, generator=torch.Generator().manual_seed(seed))
-    ours_too = as_taken_now(example, which)
+    generator = torch.Generator().manual_seed(seed)
+    # SplatNet took no hint before 0.18.
+    examples = [torch.rand(source.shape, generator=generator) for source in session.get_inputs()]
+    ours_too = [as_taken_now(examples[0], which), *examples[1:]]
+    if which == "splat" and len(examples) == 1:
+        ours_too.append(torch.zeros(1, 2))
     wrapped = WRAPPERS[which](net.cpu().float()).eval()
     with torch.no_grad():
-        ours = wrapped(ours_too)
-    theirs = session.run(None, {source.name: example.numpy()})
+        ours = wrapped(*ours_too)
+    theirs = session.run(None, {source.name: e.numpy() for source, e in zip(session.get_inputs(), examples, strict=True)})
     # SplatNet 0.2 gave an elevation without its spread, and no camera.
     for output, a, b in zip(session.get_outputs(), ours, theirs, strict=False):
         a = a.numpy() if list(a.shape) == list(b.shape) else a.numpy()[:, 0]

@@ -126,11 +126,12 @@ def test_networks_compute_what_the_shipped_files_compute(which):
     net = restore.NETS[which]()
     net.load_state_dict(restore.state_from_onnx(path, net))
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
-    (source,) = session.get_inputs()
-    example = torch.rand(source.shape, generator=torch.Generator().manual_seed(0))
+    generator = torch.Generator().manual_seed(0)
+    examples = {source.name: torch.rand(source.shape, generator=generator) for source in session.get_inputs()}
+    assert ("hint" in examples) == (which == "splat")
     with torch.no_grad():
-        ours = restore.WRAPPERS[which](net).eval()(restore.as_taken_now(example, which))
-    theirs = session.run(None, {source.name: example.numpy()})
+        ours = restore.WRAPPERS[which](net).eval()(*examples.values())
+    theirs = session.run(None, {name: example.numpy() for name, example in examples.items()})
     for a, b in zip(ours, theirs, strict=False):
         # SplatNet 0.2 gave an elevation without its spread, and no camera.
         a = a.numpy() if a.shape == b.shape else a.numpy()[:, 0]
@@ -270,7 +271,7 @@ def test_what_is_stored_in_four_bits_is_what_is_asked_for(tmp_path):
 
     for net, few in (("splat", 4), ("detail", 0), ("scene", 0)):
         path = str(tmp_path / f"{net}.onnx")
-        export(Wrapped(), torch.rand(1, 4, 8, 8), path, "x", ["y"], FOUR_BITS.get(net, ()))
+        export(Wrapped(), (torch.rand(1, 4, 8, 8),), path, ["x"], ["y"], FOUR_BITS.get(net, ()))
         names = [t.name for t in onnx.load(path).graph.initializer]
         # A block's four matrices.
         assert sum(n.endswith("_u4") for n in names) == few and any(n.endswith("_i8") for n in names), names

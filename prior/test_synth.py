@@ -108,20 +108,40 @@ def test_disguises_leave_the_subject_and_what_is_not_disguised():
     assert (rows[:, layout.SUBJECT] == 0).all()
 
 
-def test_one_photo_in_five_is_taken_from_the_air():
+def test_three_photos_in_twenty_are_taken_from_the_air():
     torch = pytest.importorskip("torch")
     from synth.batches import STEEPEST, elevations, truth_cameras
 
     torch.manual_seed(0)
     angles = elevations(torch.zeros(20000))
     assert angles.max() <= STEEPEST and angles.min() >= -0.3
-    # All that look down by more than 0.95 are of that fifth, whose angles begin at 0.6.
-    assert abs((angles > 0.95).float().mean().item() - 0.2 * (STEEPEST - 0.95) / (STEEPEST - 0.6)) < 0.01
+    # All that look down by more than 0.95 are of those, whose angles begin at 0.6.
+    assert abs((angles > 0.95).float().mean().item() - 0.15 * (STEEPEST - 0.95) / (STEEPEST - 0.6)) < 0.01
     rotation, _ = truth_cameras(torch.zeros(2000), torch.full((2000,), STEEPEST), 3.9, 4)
     # A degree from straight down cameras still know where up is.
     assert torch.isfinite(rotation).all() and (torch.linalg.det(rotation) - 1).abs().max() < 1e-4
     down = -rotation[:, 2:, 2, 2]
     assert abs((down > math.sin(1.0)).float().mean().item() - 0.1) < 0.02
+
+
+def test_hints_tell_of_elevations_what_their_spread_says():
+    torch = pytest.importorskip("torch")
+    from synth.batches import hints
+
+    torch.manual_seed(0)
+    level, steep = torch.full((20000,), 0.2), torch.full((20000,), 1.3)
+    mean, spread = hints(level).unbind(1)
+    silent = spread == 0
+    assert abs(silent.float().mean().item() - 0.1) < 0.01 and (mean[silent] == 0).all()
+    measured = (spread > 0) & (spread < 0.05)
+    assert abs((mean - level)[measured].abs().mean().item() - 0.035) < 0.003
+    guessed = spread > 0.06
+    assert abs((mean - level)[guessed].median().item()) < 0.02
+    assert 0.7 < ((mean - level).abs() / spread)[guessed].mean().item() < 1.2
+    # Steep photos are told from level ones, and by a gimbal alone how steep they are.
+    mean, spread = hints(steep).unbind(1)
+    assert abs(mean[(spread > 0) & (spread < 0.05)].mean().item() - 1.3) < 0.01
+    assert abs(mean[spread > 0.06].median().item() - 0.83) < 0.05
 
 
 def test_bounding_boxes_fit():

@@ -3,6 +3,7 @@
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
 pub mod confidence;
+mod gimbal;
 mod optimise;
 pub mod scene;
 pub mod settled;
@@ -277,6 +278,11 @@ pub fn fit(
     };
     let (subject, splat) = rayon::join(|| looked.subject(), next);
     let mut subject = subject?;
+    if let Some(measured) =
+        gimbal::elevation(&photo.exif, photo.pixels.dimensions(), splat_prior::crop_around(&subject))
+    {
+        subject.elevation = measured;
+    }
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);

@@ -6,8 +6,9 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
 
 * masks: the intersection over union of SceneNet's with the true ones, mean and median, for the real photographs, the plain
   and the outdoor ones (`evaluate.look`: the larger of two fits);
-* elevations: mean and median error in degrees of SceneNet, of SplatNet and of both joined (`evaluate.joined`), own masks;
-* shapes: SplatNet on plain photos with true masks, every fourth view of 24, on white: silhouette IoU and PSNR in its own
+* elevations: mean and median error in degrees of SceneNet, of SplatNet without a hint and with SceneNet's, and of this and SceneNet's
+  joined (`evaluate.joined`), own masks;
+* shapes: SplatNet on plain photos with true masks and SceneNet's hint, every fourth view of 24, on white: silhouette IoU and PSNR in its own
   unit, then at the best of the scales in `SCALES` (no photo shows the unit when the bounding box lies askew), PSNR of the
   views within 60 degrees of the photo at that scale, the same three at the scale and shift that fit the silhouettes best (nor does
   a photo show the box's middle: `score.best_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
@@ -70,13 +71,14 @@ def score_photos(scene, splat, objects, kind):
         photo = photo_of(folder, kind)
         mask, seen = evaluate.look(scene, photo)
         masks[folder.name] = evaluate.mask_iou(mask, evaluate.true_mask(folder / "mask.png"))
-        lifted = splat(evaluate.crop(photo, mask))["elevation"]
-        said = (seen[:, 0].mean(), lifted[0, 0], evaluate.joined(seen, lifted))
+        hint = seen.mean(0, keepdim=True)
+        alone, told = (splat(evaluate.crop(photo, mask), h)["elevation"] for h in (None, hint))
+        said = (hint[0, 0], alone[0, 0], told[0, 0], evaluate.joined(seen, told))
         truth = cameras["views"][0]["elevation_deg"]
         errors[folder.name] = [abs(math.degrees(e.item()) - truth) for e in said]
     print(f"masks, {kind}:", summary(list(masks.values())))
     print("   ", named((k, f"{v:.2f}") for k, v in masks.items()))
-    by_network = zip(("SceneNet", "SplatNet", "joined"), np.array(list(errors.values())).T, strict=True)
+    by_network = zip(("SceneNet", "SplatNet", "SplatNet told", "joined"), np.array(list(errors.values())).T, strict=True)
     print(f"elevation error, {kind}, degrees:", ", ".join(f"{n} {summary(e)}" for n, e in by_network))
     print("   ", named((k, "/".join(f"{e:.0f}" for e in v)) for k, v in errors.items()), flush=True)
 
@@ -99,12 +101,14 @@ def lpips(graph, drawn, truth):
 
 
 @torch.no_grad()
-def score_shape(splat, folder, cameras, graph, widen):
+def score_shape(scene, splat, folder, cameras, graph, widen):
     """`view_figures` of one object, the error of its elevation before LPIPS."""
     views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
     truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
     colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
-    answer = splat(evaluate.crop(photo_of(folder, "plain"), evaluate.true_mask(folder / "mask.png")))
+    photo = photo_of(folder, "plain")
+    hint = evaluate.look(scene, photo)[1].mean(0, keepdim=True)
+    answer = splat(evaluate.crop(photo, evaluate.true_mask(folder / "mask.png")), hint)
     answer["scale"] = (answer["scale"] ** 2 + (widen * BLUR) ** 2).sqrt()
     elevation = answer["elevation"][0, 0]
     azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
@@ -141,11 +145,11 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
     return [*own, best, *(scores[best][k] for k in kinds), *(placed[k] for k in kinds)], perceived
 
 
-def score_shapes(splat, objects, graph, widen):
+def score_shapes(scene, splat, objects, graph, widen):
     rows = []
     print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; these three placed best; elevation error; LPIPS, both")
     for folder, cameras in objects:
-        rows.append(score_shape(splat, folder, cameras, graph, widen))
+        rows.append(score_shape(scene, splat, folder, cameras, graph, widen))
         print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
     print("shapes, mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
 
@@ -170,7 +174,7 @@ def main():
     score_real(scene, args.photos)
     for kind in ("plain", "outdoor"):
         score_photos(scene, splat, objects, kind)
-    score_shapes(splat, objects, graph, args.widen)
+    score_shapes(scene, splat, objects, graph, args.widen)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 Every random draw on the GPU comes from PyTorch's global generator, in a fixed order.
 """
 
+import math
 from multiprocessing import Pool as Processes
 from typing import NamedTuple
 
@@ -84,11 +85,36 @@ def subjects(pool, n, slender):
 
 
 def elevations(like):
-    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, one in five
+    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, three in twenty
     from the air, up to straight above."""
     kind = uniform(like, 0, 1)
-    usual = torch.where(kind < 0.43, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
-    return torch.where(kind < 0.64, usual, torch.where(kind < 0.8, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
+    usual = torch.where(kind < 0.46, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
+    return torch.where(kind < 0.68, usual, torch.where(kind < 0.85, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
+
+
+def hints(elevation):
+    """What is known beforehand of elevations [n], as `nets.SplatNet` reads it [n, 2]: mostly what SceneNet says of a whole photo,
+    now and then what a gimbal measured, or nothing (0, 0).
+
+    SceneNet tells steep views apart but not how steep they are, its errors are about what it expects of them, and of some photos
+    it says what any photo might have.
+    """
+    kind = uniform(elevation, 0, 1)
+    spread = torch.exp(uniform(elevation, math.log(0.08), math.log(0.22)))
+    told = torch.where(elevation > 0.6, 0.6 + 0.35 * (elevation - 0.6), elevation)
+    told = told + laplace(elevation) * spread * uniform(elevation, 0.4, 1.4)
+    told = torch.where(kind < 0.12, uniform(elevation, 0.05, 0.6), told)
+    exact = uniform(elevation, 0.02, 0.05)
+    measured = (kind > 0.75) & (kind < 0.9)
+    hint = torch.stack(
+        [torch.where(measured, elevation + laplace(elevation) * exact, told), torch.where(measured, exact, spread)], 1
+    )
+    return hint * (kind < 0.9)[:, None]
+
+
+def laplace(like):
+    """Draws [n] of the Laplace distribution of scale 1."""
+    return torch.empty_like(like).exponential_() - torch.empty_like(like).exponential_()
 
 
 # ---------------------------------------------------------------- photos of scenes
@@ -241,7 +267,7 @@ class SplatBatch(NamedTuple):
     view; the first one is the canonical camera itself. lenses [n, V, 3]: focal length and middle of each view's picture,
     pixels. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
     [n, V, 1, S, S]. front [n, S, S]: canonical depth of what the crop shows, 0 where that is nothing. camera [n, 4] of
-    the crop, as `nets.crop_rays` reads it. elevation [n] in radians. empty [n]: the crop shows nothing. The first `dressed`
+    the crop, as `nets.crop_rays` reads it. elevation [n] in radians, hint [n, 2] of it (`hints`). empty [n]: the crop shows nothing. The first `dressed`
     crops wear textures that the truth's views do not have: of their colours only the large patches can be compared.
     """
 
@@ -253,6 +279,7 @@ class SplatBatch(NamedTuple):
     front: torch.Tensor
     camera: torch.Tensor
     elevation: torch.Tensor
+    hint: torch.Tensor
     empty: torch.Tensor
     dressed: int
 
@@ -315,6 +342,7 @@ def splat_batch(pool, n, fov, distance, size=256, views=4):
         front=nearest(front),
         camera=camera,
         elevation=elevation,
+        hint=hints(elevation),
         empty=empty,
         dressed=dressed,
     )

@@ -36,7 +36,7 @@ def hull(kit, long, wide, deck, topside, bottom, bow=0.22, rise=0.2, stern=0.85,
 
 def sail(kit, x0, x1, top, z0, z1, cloth, ratio=0.03, y=0.0, thin=0.012):
     """A fore-and-aft sail: its foot from x0 to x1 at z0, its head around x = top at z1, `ratio` as long."""
-    kit.add(BOX, ((x0 + x1) / 4 + top / 2, y, (z0 + z1) / 2), ((x1 - x0) / 2, thin, (z1 - z0) / 2), (ratio, 1), (top - (x0 + x1) / 2, 0), material=cloth)
+    kit.add(BOX, ((x0 + x1) / 2, y, (z0 + z1) / 2), ((x1 - x0) / 2, thin, (z1 - z0) / 2), (ratio, 1), (top - (x0 + x1) / 2, 0), material=cloth)
 
 
 def antifouling(kit):
@@ -220,7 +220,7 @@ def lugger(kit):
             clew = np.array([x - 0.7, 0.05, front[2] + 0.05]) - (front + back) / 2
             along, deep = clew @ yard, clew @ across
             frame = np.stack([yard, [0, -1.0, 0], across], 1)
-            kit.add(BOX, (front + back + along * yard + deep * across) / 2, (np.linalg.norm(front - back) / 2, 0.012, deep / 2), (0.03, 1), (along, 0), frame, cloth)
+            kit.add(BOX, (front + back + deep * across) / 2, (np.linalg.norm(front - back) / 2, 0.012, deep / 2), (0.03, 1), (along, 0), frame, cloth)
             kit.between((x + 0.12, 0, deck + tall * 0.72), (x - 0.4, wide * 0.95, deck), 0.01, material=dark, mirror=True)
     else:
         cloth = kit.material(base=np.array(rng.choice([[0.5, 0.08, 0.04], [0.6, 0.4, 0.2], [0.75, 0.7, 0.55], [0.4, 0.2, 0.05]])), pattern=rng.choice([PLAIN, CLOUDY]))

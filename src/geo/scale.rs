@@ -210,8 +210,7 @@ impl View {
             Some(f) => (f, EXIF_FOCAL_SIGMA, FocalBy::Exif),
             None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, FocalBy::Assumption),
         };
-        let diagonal = f64::from(self.photo_width).hypot(f64::from(self.photo_height));
-        (focal_35mm * diagonal / DIAGONAL_35MM, sigma, by)
+        (focal_in_pixels(focal_35mm, self.photo_width, self.photo_height), sigma, by)
     }
 
     /// Units from the camera to the subject's middle: D = d · 2 tan(fov / 2) · f / s, where the subject fills the crop
@@ -242,6 +241,11 @@ impl View {
             (None, None) => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
         }
     }
+}
+
+/// Pixels of a photo of this size, of a focal length that is said for a frame of 36 × 24 mm: by both diagonals.
+pub fn focal_in_pixels(focal_35mm: f64, width: u32, height: u32) -> f64 {
+    focal_35mm * f64::from(width).hypot(f64::from(height)) / DIAGONAL_35MM
 }
 
 /// Combines what is known.

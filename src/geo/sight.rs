@@ -39,8 +39,12 @@ pub fn bearing_of_subject(axis: f64, column: f64, view: &View) -> f64 {
 /// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and
 /// the row of the crop's middle.
 pub fn elevation_by_pitch(pitch: f64, row: f64, view: &View) -> f64 {
-    let below_axis = (row - f64::from(view.photo_height) / 2.0).atan2(view.focal().0);
-    -pitch.to_radians() + below_axis
+    -pitch.to_radians() + below_axis(row, view.photo_height, view.focal().0)
+}
+
+/// By how much what a row of the photo shows lies below the optical axis, radians; `focal` in pixels.
+pub fn below_axis(row: f64, photo_height: u32, focal: f64) -> f64 {
+    (row - f64::from(photo_height) / 2.0).atan2(focal)
 }
 
 /// The ground point under a subject that the camera sees along `bearing` (degrees from true north).

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.17",
-    sha256: "f5a928bca19668fc4b1c249165d879f3f2af95ec43ac4db47a051435bc46bb86",
+    version: "0.18",
+    sha256: "cca74266902c0f2151a7ad31797325fb2aa823ac9ba7f80048c5b9e87f04c79c",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

@@ -164,6 +164,7 @@ pub fn moved(view: &mut OneView, m: &Move, camera: Camera, elevation: f32) {
     view.gaussians = view.gaussians.transformed(m.rotation, m.scale, m.translation);
     view.camera = camera;
     view.elevation = elevation;
+    view.seen_from.mean = elevation;
 }
 
 #[cfg(test)]

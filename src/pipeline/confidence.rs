@@ -173,7 +173,7 @@ mod tests {
             expected_errors: errors,
             elevation: 0.26,
             camera,
-            elevation_error: 0.05,
+            seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
             crop: Rect { x: 0.0, y: 0.0, width: 64.0, height: 64.0 },
             colour: seen.color,

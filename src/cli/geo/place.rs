@@ -339,9 +339,9 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
     let camera = &done.prior.camera;
     let crop = &done.prior.crop;
     let view = View {
-        elevation: done.prior.elevation,
+        elevation: done.prior.seen_from.mean,
         // Of a Laplace distribution whose mean error is the expected one.
-        elevation_sigma: (SQRT_2 * f64::from(done.prior.elevation_error)).max(LEAST_ELEVATION_SIGMA.to_radians()),
+        elevation_sigma: (SQRT_2 * f64::from(done.prior.seen_from.spread)).max(LEAST_ELEVATION_SIGMA.to_radians()),
         crop_side: crop.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),

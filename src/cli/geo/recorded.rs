@@ -70,8 +70,8 @@ pub fn params(
         ("iterations_planned".into(), Param::Int(settings.iterations.into())),
         ("iterations_run".into(), Param::Int(done.report.iterations as i64)),
         ("stopped_by_time".into(), Param::Bool(done.report.stopped_by_deadline)),
-        ("elevation_deg".into(), text(format!("{:.2}", done.prior.elevation.to_degrees()))),
-        ("elevation_expected_error_deg".into(), text(format!("{:.2}", done.prior.elevation_error.to_degrees()))),
+        ("elevation_deg".into(), text(format!("{:.2}", done.prior.seen_from.mean.to_degrees()))),
+        ("elevation_expected_error_deg".into(), text(format!("{:.2}", done.prior.seen_from.spread.to_degrees()))),
     ]);
     all.extend(args.write.params(catalogue));
     all.extend(placed.params(line));

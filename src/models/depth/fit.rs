@@ -211,7 +211,7 @@ mod tests {
             gaussians,
             elevation: 0.0,
             camera,
-            elevation_error: 0.05,
+            seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
             crop: Rect { x: 10.0, y: 20.0, width: 128.0, height: 128.0 },
             colour: vec![[0.5; 3]; 128 * 128],
