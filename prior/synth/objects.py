@@ -63,10 +63,12 @@ from .railcraft import railcraft
 from .roadcraft import modern_car
 from .rooms import appliance, large_furniture
 from .ruins import ruin
+from .sailing_boats import sailing_boat
 from .sculptures import sculpture
 from .seacraft import vessel_at_sea
 from .sensors import sensor_truck
 from .service import service_lorry
+from .spacecraft import spacecraft
 from .sporty import sporty
 from .strongpoints import strongpoint
 from .structures import arch, block, castle, church, gabled_house, pavilion, play_house, temple, tiered
@@ -85,7 +87,7 @@ from .wild import crawler, sprout
 from .works import barrier, works
 from .workshop import machine
 from .worn import worn
-from .yard import concrete_mixer, sailing_boat, spacecraft, waste_bin
+from .yard import concrete_mixer, waste_bin
 
 # How often each kind of object is made, relative to the others.
 MAKERS = [
