@@ -52,7 +52,7 @@ pub struct Subject {
     pub from_cutout: bool,
     /// Of the mask with the subject, as the network's probabilities let expect: [`expected_iou`]. `None` for a cut-out.
     pub expected_iou: Option<f32>,
-    /// Of the camera above the subject's centre, as the surroundings tell it.
+    /// Of the camera above the subject's centre, as the surroundings tell it or a gimbal measured it.
     pub elevation: Elevation,
 }
 

@@ -29,8 +29,8 @@ pub const FOV: f32 = std::f32::consts::PI / 6.0;
 /// [`DISTANCE`]. Networks since 0.7 learn by pictures true to size; of 0.9, 18 objects, 24 views, silhouette IoU and PSNR with none of it
 /// are 0.812 and 20.83 dB, with a quarter 0.813 and 20.83, half 0.812 and 20.79, all 0.807 and 20.59; meshes are closer with a quarter than with half (Ch 1.41 and 1.42 %).
 const BLUR: f32 = 0.25 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / GRID as f32;
-/// What the spread that the network tells is worth: it learned what to expect on its own generator's objects. On 72 photos of the
-/// development set, half of them from the air, the mean error is so much of it that what is joined errs by 0.98 of what it says.
+/// What the network's spread counts times: it learned what to expect on its own generator's objects. So much, [`OneView::seen_from`] errs
+/// by 0.98 of what it expects, in the mean of 72 photos of the development set, half of them from the air.
 const OVERCONFIDENT: f32 = 1.8;
 /// From here on the camera looks down from the air, radians: SceneNet learned up to 54°, so tells that it does but not how steeply.
 const FROM_THE_AIR: f32 = 0.7;
