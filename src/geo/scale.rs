@@ -188,7 +188,7 @@ pub const ASSUMED_CAMERA_HEIGHT: Measured = Measured { metres: 1.6, sigma: 0.2, 
 /// From here on down, radians, nobody who stands there took the photo; what is small and near aside.
 const LOOKS_DOWN: f32 = 0.7;
 /// Phones have 24 to 28 mm, their other cameras and other people's zooms anything: a quarter.
-const ASSUMED_FOCAL_SIGMA: f64 = 0.25;
+pub const ASSUMED_FOCAL_SIGMA: f64 = 0.25;
 /// The tag is a whole number of millimetres of a nominal lens.
 const EXIF_FOCAL_SIGMA: f64 = 0.03;
 /// Of a camera that was calibrated with its pose.

@@ -36,6 +36,9 @@ pub fn bearing_of_subject(axis: f64, column: f64, view: &View) -> f64 {
     (axis + beside.to_degrees()).rem_euclid(360.0)
 }
 
+/// Of a gimbal's pitch, degrees.
+pub const PITCH_SIGMA: f64 = 1.5;
+
 /// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and
 /// the row of the crop's middle.
 pub fn elevation_by_pitch(pitch: f64, row: f64, view: &View) -> f64 {

@@ -1,14 +1,9 @@
 //! The camera's elevation over the subject where a drone's gimbal measured it: better than what any network guesses.
 
-use crate::geo::scale::{ASSUMED_FOCAL_35MM, focal_in_pixels};
-use crate::geo::sight::below_axis;
+use crate::geo::scale::{ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, focal_in_pixels};
+use crate::geo::sight::{PITCH_SIGMA, below_axis};
 use crate::models::scene::Elevation;
 use crate::photo::{Exif, Rect};
-
-/// Expected error of a gimbal's pitch, radians: a degree and a half.
-const PITCH_ERROR: f64 = 0.026;
-/// Of the angle between the optical axis and the subject, where nobody says the focal length: a quarter of it.
-const ASSUMED_FOCAL_ERROR: f64 = 0.25;
 
 /// By the pitch of the optical axis and the row of the crop's middle in a photo of `width` by `height` pixels.
 pub fn elevation(exif: &Exif, (width, height): (u32, u32), crop: Rect) -> Option<Elevation> {
@@ -16,8 +11,8 @@ pub fn elevation(exif: &Exif, (width, height): (u32, u32), crop: Rect) -> Option
     let row = f64::from(crop.y + crop.height / 2.0);
     let focal = focal_in_pixels(exif.focal_35mm.unwrap_or(ASSUMED_FOCAL_35MM), width, height);
     let below = below_axis(row, height, focal);
-    let unsure = if exif.focal_35mm.is_some() { 0.0 } else { ASSUMED_FOCAL_ERROR * below.abs() };
-    Some(Elevation { mean: (below - pitch.to_radians()) as f32, spread: (PITCH_ERROR + unsure) as f32 })
+    let unsure = if exif.focal_35mm.is_some() { 0.0 } else { ASSUMED_FOCAL_SIGMA * below.abs() };
+    Some(Elevation { mean: (below - pitch.to_radians()) as f32, spread: (PITCH_SIGMA.to_radians() + unsure) as f32 })
 }
 
 #[cfg(test)]
@@ -38,7 +33,7 @@ mod tests {
         let degrees = |e: Option<Elevation>| e.unwrap().mean.to_degrees();
         assert!((degrees(elevation(&pitched(Some(35.0)), (4000, 3000), at(1500.0))) - 40.0).abs() < 1e-3);
         let aside = elevation(&pitched(Some(35.0)), (4000, 3000), at(1500.0 - focal)).unwrap();
-        assert!((aside.mean.to_degrees() + 5.0).abs() < 1e-3 && (aside.spread - 0.026).abs() < 1e-6);
+        assert!((aside.mean.to_degrees() + 5.0).abs() < 1e-3 && (aside.spread.to_degrees() - 1.5).abs() < 1e-4);
         // Without a focal length the angle beside the axis is a guess.
         let guessed = elevation(&pitched(None), (4000, 3000), at(1500.0 - focal)).unwrap();
         assert!(guessed.spread > 0.2, "{guessed:?}");

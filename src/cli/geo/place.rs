@@ -47,8 +47,6 @@ const COMPASS_SIGMA: f64 = 5.0;
 const UNKNOWN_HEADING_SIGMA: f64 = 103.9;
 /// Of the networks' elevation, at least, degrees: below this their errors were not told apart.
 const LEAST_ELEVATION_SIGMA: f64 = 1.0;
-/// Of a gimbal's pitch, degrees.
-const PITCH_SIGMA: f64 = 1.5;
 /// Of a posed camera's over the ground that the photos or their points show.
 const POSED_ELEVATION_SIGMA: f64 = 1.0;
 /// Of a metric depth network's distances, relative: assumed, for photos unlike those that it was trained on.
@@ -357,7 +355,7 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
     match photo.exif.gimbal.and_then(|g| g.pitch) {
         Some(pitch) => View {
             elevation: sight::elevation_by_pitch(pitch, f64::from(crop.y + crop.height / 2.0), &view) as f32,
-            elevation_sigma: PITCH_SIGMA.to_radians(),
+            elevation_sigma: sight::PITCH_SIGMA.to_radians(),
             ..view
         },
         None => view,
