@@ -49,6 +49,18 @@ def looking(kit, down, wide=30):
     return turn("z", aside) @ turn("y", down)
 
 
+def neck_turned(kit, most):
+    """Degrees, left or right, by which a neck turns: in half of all not at all."""
+    return 0.0 if kit.chance(0.5) else kit.rng.choice([-1, 1]) * kit.rng.uniform(15, most)
+
+
+def swung(points, yaw):
+    """The path [n, 3] of a neck as it turns aside about its first point, the more the further up: by `yaw` degrees at its end."""
+    points = np.array(points, float)
+    shares = np.linspace(0, 1, len(points))
+    return np.array([points[0] + turn("z", yaw * k) @ (p - points[0]) for k, p in zip(shares, points, strict=True)])
+
+
 class Head:
     """What sits on a skull of radius `size` at `at`: places in its own frame, in units of `size`."""
 

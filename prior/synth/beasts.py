@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .animals import BLACK, BROWN, CREAM, DARK, GREY, ORANGE, PINK, RED, TAN, WHITE, Head, bend, black, fur, hull, limb, looking
+from .animals import BLACK, BROWN, CREAM, DARK, GREY, ORANGE, PINK, RED, TAN, WHITE, Head, bend, black, fur, hull, limb, looking, neck_turned, swung
 from .kit import turn
 from .layout import BALL, BOX, CYL
 from .materials import BANDS, CAMOUFLAGE, CLOUDY, DOTS, PLAIN, SEAMS, SPECKLES, paint
@@ -360,9 +360,12 @@ def beast(kit):
         path = bend(start - [0, 0, 0.05], start + [neck * 0.75, 0, -0.1], stop, 4)
     else:
         path = bend(start, start * 0.45 + stop * 0.55 + [0, 0, 0.03 * neck], stop, 2 if name == "sheep" else 3)
+    supple = name in ("giraffe", "camel", "horse", "zebra", "deer", "goat", "cat", "dog")
+    yaw = neck_turned(kit, 25 if name in HEAVY else 40 if pose == "graze" else 80 if supple else 55)
+    path = swung(path, yaw)
     hull(kit, [place(shoulder), *path], np.interp(np.linspace(-0.4, 1, len(path) + 1), [-0.4, 0, 1], [chest * 0.9, neck0, neck1]), coat, 0.8, first=False)
-    facing = looking(kit, down if pose != "rear" else 20, 22)
-    at = stop + facing @ np.array([skull * 0.35, 0, 0]) + [0, 0, skull * 0.25]
+    facing = turn("z", yaw) @ looking(kit, down if pose != "rear" else 20, 22)
+    at = path[-1] + facing @ np.array([skull * 0.35, 0, 0]) + [0, 0, skull * 0.25]
     head = Head(kit, at, facing, skull)
     if name == "lion" and male and not young:
         head.ball((-0.45, 0, -0.1), (0.95, 1.55, 1.6), hair)
@@ -411,10 +414,10 @@ def beast(kit):
         fly = 0.45 if pose in ("gallop", "rear") else 0.1
         hull(kit, bend(root, root + [-fly - 0.12, 0, 0.05], root + [-fly - 0.1, 0, -0.5 + fly], 3), [0.05, 0.075, 0.03], hair)
         for k in np.linspace(0.1, 0.9, 4):
-            point = path[0] + (path[-1] - path[0]) * k
-            normal = np.array([-aim[2], 0, aim[0]])
+            normal, turned = np.array([-aim[2], 0, aim[0]]), turn("z", yaw * k)
             width = neck0 + (neck1 - neck0) * k
-            kit.add(BALL, point + normal * width * 0.72, (neck * 0.2, 0.035, width * 0.55), rotation=turn("y", -rise), material=hair)
+            point = start + turned @ ((stop - start) * k + normal * width * 0.72)
+            kit.add(BALL, point, (neck * 0.2, 0.035, width * 0.55), rotation=turned @ turn("y", -rise), material=hair)
     elif name in ("donkey", "zebra", "cow", "bull", "giraffe", "bison", "elephant", "rhinoceros", "lion", "hippopotamus"):
         drop = 0.5 if name not in ("hippopotamus", "rhinoceros") else 0.28
         tip = root + [-0.12, rng.normal(0, 0.05), -drop if pose != "lie" else -hip[2] - rump * 0.3]
@@ -424,7 +427,7 @@ def beast(kit):
         kit.add(BALL, tip, (0.035, 0.035, 0.08), material=hair)
         if name in ("donkey", "zebra", "giraffe"):
             normal = np.array([-aim[2], 0, aim[0]])
-            kit.between(path[0] + normal * neck0 * 0.8, path[-1] + normal * neck1 * 0.85, (0.05, 0.022), BOX, 0.8, hair)
+            kit.between(path[0] + normal * neck0 * 0.8, path[-1] + turn("z", yaw) @ normal * neck1 * 0.85, (0.05, 0.022), BOX, 0.8, hair)
     elif name in CANINE | {"cat", "tiger"}:
         style = rng.choice(["up", "down", "curl", "straight"]) if name in ("dog", "cat") else rng.choice(["down", "straight"])
         far = {"bulldog": 0.15, "cat": 0.75, "tiger": 0.75}.get(name, rng.uniform(0.4, 0.6))
@@ -447,4 +450,4 @@ def beast(kit):
     if name in ("horse", "camel", "donkey") and kit.chance(0.2) and pose != "lie":
         kit.add(BALL, place(middle + [0.05, 0, belly * 0.55]), (0.17, belly * flat * 1.07, belly * 0.6), material=kit.material(base=BROWN if kit.chance(0.5) else None, gloss=0.2))
     if name in CANINE and kit.chance(0.4):
-        kit.between(start * 0.35 + stop * 0.65, start * 0.2 + stop * 0.8, neck1 * 1.12, material=kit.material(gloss=0.2))
+        kit.between(path[0] * 0.35 + path[-1] * 0.65, path[0] * 0.2 + path[-1] * 0.8, neck1 * 1.12, material=kit.material(gloss=0.2))

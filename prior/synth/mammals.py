@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from .animals import BLACK, BROWN, CREAM, DARK, GREY, ORANGE, PINK, RED, TAN, WHITE, Head, bend, black, fur, hull, looking
+from .animals import BLACK, BROWN, CREAM, DARK, GREY, ORANGE, PINK, RED, TAN, WHITE, Head, bend, black, fur, hull, looking, neck_turned, swung
 from .hides import FAWN, SAND, SILVER, SLATE
 from .kit import towards, turn
 from .layout import BALL, CYL
 from .materials import BANDS, CLOUDY, PLAIN, SPECKLES
 from .paws import foreleg, hindleg
 from .skulls import skull
-from .species import CANINE, EQUINE, FELINE, HOOFED, PILLARS, SHAPES, SPLIT, coats
+from .species import CANINE, EQUINE, FELINE, HOOFED, PILLARS, SHAPES, SPLIT, SUPPLE, coats
 
 
 def trunk(kit, stations, coat, place):
@@ -54,7 +54,7 @@ def tail(kit, name, root, leg, low, coat, hair):
     elif name in ("raccoon", "otter", "badger", "anteater", "armadillo"):
         far = {"otter": 1.3, "anteater": 1.0, "raccoon": 0.75, "armadillo": 0.7}.get(name, 0.35)
         path = bend(root, root + [-far * 0.5, 0, -0.05], (root[0] - far, 0, max(0.1, z * (0.5 if name != "armadillo" else 0.15))), 4)
-    elif name in ("cow", "bull", "bison", "giraffe", "zebra", "donkey", "elephant", "rhino", "hippo", "camel", "moose", "lion"):
+    elif name in ("cow", "bull", "zebu", "buffalo", "bison", "giraffe", "zebra", "donkey", "elephant", "rhino", "hippo", "camel", "moose", "lion"):
         drop = {"hippo": 0.25, "rhino": 0.35, "bison": 0.35, "moose": 0.1}.get(name, 0.55) * z
         stop = root + [-0.1, rng.normal(0, 0.03), -drop]
         kit.chain(bend(root, root + [-0.12, 0, 0], stop, 3), [leg * 0.6, leg * 0.45, leg * 0.35], coat)
@@ -85,7 +85,7 @@ def body_stations(name, long, chest, loin, croup, wide, rng):
     dip = rng.uniform(0, 0.025) if name in (*EQUINE, "cow") else -0.03 * chest if name not in ("boar", "bison", "hyena") else 0.0
     round_back = 0.05 if name in ("mouse", "raccoon", "armadillo", "capybara", "elephant") else 0.0
     back = [croup, croup * 0.55 + 0.45 - dip + round_back, 0.3 * croup + 0.7 - dip + round_back]
-    drop = 0.2 if name in ("cow", "bull", "camel", "elephant") else 0.28
+    drop = 0.2 if name in ("cow", "bull", "zebu", "buffalo", "camel", "elephant") else 0.28
     return [
         (-0.5 * long, croup - haunch * drop, croup - haunch * 0.82, wide * 0.58),
         (-0.38 * long, back[0], croup - haunch, wide * 0.92),
@@ -108,7 +108,7 @@ def beast_of(kit, name):
         poses += ["sit", "sit", "lie"]
     elif name in SPLIT or name in EQUINE:
         poses += ["graze"] if name not in ("giraffe", "camel", "moose") else []
-        poses += ["lie"] if name in ("cow", "deer", "camel", "sheep", "goat", "llama") else []
+        poses += ["lie"] if name in ("cow", "zebu", "buffalo", "deer", "camel", "sheep", "goat", "llama") else []
     elif name == "bear":
         poses += ["sit"]
     pose = str(rng.choice(poses))
@@ -143,9 +143,11 @@ def beast_of(kit, name):
         path = bend(base - [0, 0, 0.04], base + [neck * 0.7, 0, -0.16], goal, 4)
     else:
         path = bend(base, base * 0.42 + goal * 0.58 + [0.03 * neck, 0, -0.05 * neck], goal, 3)
+    yaw = neck_turned(kit, 25 if heavy else 40 if pose == "graze" else 85 if name in SUPPLE else 60)
+    level, path = path, swung(path, yaw)
     radii = np.interp(np.linspace(0, 1, len(path)), [0, 0.5, 1], [neck0, neck0 * 0.42 + neck1 * 0.58, neck1])
     hull(kit, path, radii, coat if name != "sheep" else coat._replace(pattern=SPECKLES), 0.78 if name in HOOFED else 0.88)
-    facing = looking(kit, down, 22)
+    facing = turn("z", yaw) @ looking(kit, down, 22)
     head = Head(kit, path[-1] + facing @ np.array([size * 0.35, 0, 0]) + [0, 0, size * 0.2], facing, size)
     if name == "lion" and male:
         for where, half in (((-0.4, 0, 0.05), (0.8, 1.45, 1.45)), ((-1.0, 0, -0.6), (1.2, 1.4, 1.6)), ((0.05, 0, -0.95), (0.7, 0.8, 0.8))):
@@ -198,12 +200,14 @@ def beast_of(kit, name):
     if back:
         kit.add(BALL, place((-0.06 * long, 0, 0.5 + croup / 2 - chest * 0.2)), (long * 0.43, wide * 0.98, chest * 0.24), rotation=slope, material=back)
     if name in EQUINE:
-        aim = (path[-1] - path[0]) / np.linalg.norm(path[-1] - path[0])
+        aim = (level[-1] - level[0]) / np.linalg.norm(level[-1] - level[0])
         normal = np.array([-aim[2], 0, aim[0]])
         for k in (0.1, 0.4, 0.7, 0.98):
             width = np.interp(k, [0, 1], [neck0, neck1])
             half = (neck * 0.24, 0.03, width * (0.55 if name in ("horse", "pony") else 0.35))
-            kit.add(BALL, path[0] + (path[-1] - path[0]) * k + normal * width * 0.85, half, rotation=turn("y", -np.degrees(np.arctan2(aim[2], aim[0]))), material=hair)
+            turned = turn("z", yaw * k)
+            at = level[0] + turned @ ((level[-1] - level[0]) * k + normal * width * 0.85)
+            kit.add(BALL, at, half, rotation=turned @ turn("y", -np.degrees(np.arctan2(aim[2], aim[0]))), material=hair)
     elif name == "camel":
         for x in (-0.2, 0.16) if kit.chance(0.5) else (-0.03,):
             kit.add(BALL, place((x * long, 0, 0.93)), (0.12 if x != -0.03 else 0.2, 0.11, rng.uniform(0.22, 0.3)), material=hair if kit.chance(0.4) else coat)
@@ -216,6 +220,10 @@ def beast_of(kit, name):
         kit.add(BALL, place((0.24 * long, 0, 0.86)), half, material=hair if name == "bison" else coat)
         if name == "bison":
             kit.add(BALL, place((0.38 * long, 0, 0.6)), (0.22, wide * 0.95, 0.38), material=hair)
+    elif name == "zebu":
+        kit.add(BALL, place((0.27 * long, 0, 1.0)), (rng.uniform(0.15, 0.2), wide * 0.5, rng.uniform(0.14, 0.22)), rotation=turn("y", rng.uniform(-25, 5)), material=coat)
+        hang = chest * rng.uniform(0.75, 0.95)
+        kit.add(BALL, place((0.4 * long, 0, 1 - hang)), (0.18 * long, 0.035, chest * 0.3), rotation=turn("y", -30), material=coat)
     elif name == "poodle" and pose in ("stand", "walk"):
         kit.add(BALL, place((0.25 * long, 0, 1 - chest * 0.45)), (long * 0.3, wide * 1.35, chest * 0.62), material=hair)
     elif name == "hyena":

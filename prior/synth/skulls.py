@@ -8,6 +8,8 @@ from .layout import BALL, CYL
 from .materials import PLAIN, paint
 from .species import CANINE, FELINE, SPLIT
 
+CATTLE = ["cow", "bull", "zebu", "buffalo", "bison"]
+
 
 def antlers(head, horn, far, palms):
     """Beams with tines, or with `palms` the shovels of a moose."""
@@ -154,12 +156,13 @@ def skull(kit, name, head, m, e, coat, muzzle, hair, male):
     elif name == "moose":
         head.ball((far - end * 1.5, 0, -0.1), (end * 1.8, end * 0.85, end * 0.95), muzzle)
         head.ball((0.35, 0, -1.35), (0.2, 0.14, 0.6), hair)
-    elif name in ("cow", "bull", "bison", "deer"):
+    elif name in (*CATTLE, "deer"):
         head.ball((far - end * 0.35, 0, -0.26), (end * 0.55, end * 0.78, end * 0.6), fur(kit, PINK, BLACK, BLACK, pattern=PLAIN, gloss=0.3))
-    if name not in ("cow", "bull", "bison", "deer", "tapir"):
+    if name not in (*CATTLE, "deer", "tapir"):
         head.ball((far - end * 0.25, end * 0.5, -0.2), (end * 0.22, end * 0.22, end * 0.26), dark, True)
     head.eyes(0.42, 0.7, 0.26, 0.14)
     ears = {
+        "zebu": ("flop", 1.0),
         "donkey": ("leaf", 1.15),
         "horse": ("leaf", 0.5),
         "pony": ("leaf", 0.45),
@@ -180,6 +183,12 @@ def skull(kit, name, head, m, e, coat, muzzle, hair, male):
     elif name in ("cow", "bull") and kit.chance(0.55 if name == "cow" else 0.9):
         wide, up = rng.uniform(0.3, 1.0), rng.uniform(0.2, 1.1)
         head.rods([(-0.1, 0.5, 0.75), (-0.05, 0.9 + wide, 0.9), (0.25, 1.0 + wide, 0.9 + up)], [0.2, 0.15, 0.04], horn)
+    elif name == "zebu" and kit.chance(0.9):
+        high = rng.uniform(0.4, 1.5)
+        head.rods([(-0.1, 0.45, 0.75), (-0.2, 0.75, 1.0 + 0.4 * high), (-0.1, 0.95, 1.0 + high)], [0.18, 0.14, 0.04], horn)
+    elif name == "buffalo":
+        far = rng.uniform(0.6, 1.2)
+        head.rods([(0.1, 0.45, 0.7), (-0.35, 1.1 + 0.4 * far, 0.5), (-0.7, 1.2 + far, 0.8 + 0.5 * far)], [0.28, 0.22, 0.05], dark)
     elif name == "goat":
         long = rng.uniform(0.6, 1.4)
         head.rods([(0.05, 0.3, 0.75), (-0.2, 0.45, 0.9 + long), (-0.4 - long, 0.7, 1.0 + long)], [0.22, 0.17, 0.05], horn)

@@ -34,6 +34,8 @@ SHAPES = {
     "zebra": (1.04, 0.48, 0.47, 1.0, 0.18, 0.42, 44, 0.19, 0.115, 0.11, 0.34, 0.06, 0.028, 42),
     "cow": (1.16, 0.53, 0.52, 1.0, 0.22, 0.32, 14, 0.22, 0.14, 0.12, 0.3, 0.075, 0.035, 35),
     "bull": (1.16, 0.58, 0.48, 0.97, 0.25, 0.28, 14, 0.3, 0.19, 0.14, 0.31, 0.09, 0.04, 35),
+    "zebu": (1.1, 0.5, 0.44, 1.0, 0.19, 0.34, 24, 0.2, 0.125, 0.115, 0.33, 0.066, 0.033, 32),
+    "buffalo": (1.24, 0.58, 0.54, 0.98, 0.25, 0.32, 4, 0.25, 0.16, 0.135, 0.33, 0.09, 0.042, 30),
     "bison": (1.06, 0.6, 0.4, 0.78, 0.21, 0.24, -18, 0.3, 0.2, 0.16, 0.32, 0.08, 0.038, 42),
     "goat": (1.02, 0.47, 0.48, 1.0, 0.18, 0.33, 50, 0.16, 0.09, 0.095, 0.23, 0.045, 0.028, 28),
     "sheep": (1.08, 0.56, 0.56, 1.0, 0.23, 0.26, 40, 0.19, 0.12, 0.1, 0.25, 0.052, 0.031, 28),
@@ -60,9 +62,11 @@ SHAPES = {
 CANINE = ["shepherd", "retriever", "husky", "greyhound", "dachshund", "bulldog", "pug", "poodle", "terrier", "beagle", "dalmatian", "corgi", "wolf", "fox"]
 FELINE = ["cat", "lion", "tiger", "leopard", "cheetah"]
 EQUINE = ["horse", "pony", "donkey", "zebra"]
-HOOFED = [*EQUINE, "cow", "bull", "bison", "goat", "sheep", "pig", "boar", "deer", "moose", "camel", "llama", "giraffe", "tapir"]
+HOOFED = [*EQUINE, "cow", "bull", "zebu", "buffalo", "bison", "goat", "sheep", "pig", "boar", "deer", "moose", "camel", "llama", "giraffe", "tapir"]
 PILLARS = ["elephant", "rhino", "hippo"]
-SPLIT = ["cow", "bull", "bison", "goat", "sheep", "deer", "moose", "camel", "llama", "giraffe"]
+SPLIT = ["cow", "bull", "zebu", "buffalo", "bison", "goat", "sheep", "deer", "moose", "camel", "llama", "giraffe"]
+# Those that look back over their shoulders.
+SUPPLE = ["deer", "camel", "llama", "giraffe", "goat", "greyhound", "cat", "horse", "zebu", "fox"]
 # Coats to choose from: coat, legs, muzzle, belly, back, hair of mane and tail; None: as the coat, or nothing on belly and back.
 COATS = {
     "shepherd": [(GOLD, TAN, BLACK, None, BLACK, DARK), (BLACK, TAN, BLACK, None, None, BLACK), (SAND, CREAM, DARK, CREAM, DARK, DARK)],
@@ -109,6 +113,8 @@ COATS = {
         (WHITE, None, PINK, None, None, None),
     ],
     "bull": [(BLACK,) + (None,) * 5, (BROWN, None, None, None, None, BLACK), (RED,) + (None,) * 5, (CREAM,) + (None,) * 5],
+    "zebu": [(WHITE, None, None, None, GREY, DARK), (SILVER, GREY, DARK, None, SLATE, BLACK), (RED, None, None, CREAM, None, DARK), (SAND, None, CREAM, None, None, DARK)],
+    "buffalo": [(SLATE, None, None, None, None, BLACK), (BLACK, GREY, None, None, None, BLACK), ((0.17, 0.12, 0.1),) + (None,) * 5],
     "bison": [(BROWN, DARK, DARK, None, None, DARK)],
     "goat": [(WHITE,) + (None,) * 5, (BROWN, BLACK, None, None, BLACK, BLACK), (BLACK, None, None, None, None, None), (TAN, DARK, None, WHITE, None, DARK)],
     "sheep": [(CREAM, BLACK, BLACK, None, None, None), (WHITE,) + (None,) * 5, (CREAM, WHITE, WHITE, None, None, None), (DARK,) + (None,) * 5],
