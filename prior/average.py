@@ -3,7 +3,8 @@
     python average.py {scene|detail|splat} OUT.pt [SHARE:]A [SHARE:]B ...
 
 A, B, ...: .onnx or .pt of a training, in any mixture; every file's batch norms are folded into the convolutions before them, as the
-export does. Without shares all count alike. For export.py and evaluate.py.
+export does. Without shares all count alike. Layers that older versions lack are the mean of the versions that have them. For
+export.py and evaluate.py.
 """
 
 import argparse
@@ -11,6 +12,17 @@ import argparse
 import torch
 
 from nets import NETS, Res, load_weights
+
+# SplatNet's layers that versions before 0.18 lack.
+NEWEST = "hint."
+
+
+def known(net, path):
+    """The weights in the file at `path`, folded; of layers that its version lacks: not a number."""
+    for name, parameter in net.named_parameters():
+        if name.startswith(NEWEST):
+            parameter.fill_(torch.nan)
+    return folded(load_weights(net, path))
 
 
 def folded(net):
@@ -31,15 +43,16 @@ def folded(net):
 
 
 def averaged(states, shares):
-    """The mean of states by `shares`, which need not add up to 1."""
-    total = sum(shares)
-    first = states[0]
-    return {
-        name: sum(s[name] * (share / total) for s, share in zip(states, shares, strict=True))
-        if first[name].is_floating_point()
-        else first[name]
-        for name in first
-    }
+    """The mean of states by `shares`, which need not add up to 1, each weight's over those that have it."""
+
+    def mean(name):
+        if not states[0][name].is_floating_point():
+            return states[0][name]
+        having = [(s[name], share) for s, share in zip(states, shares, strict=True) if not s[name].isnan().any()]
+        total = sum(share for _, share in having)
+        return sum(weight * (share / total) for weight, share in having)
+
+    return {name: mean(name) for name in states[0]}
 
 
 def main():
@@ -50,7 +63,7 @@ def main():
     args = parser.parse_args()
     pairs = [v.split(":", 1) if ":" in v else ("1", v) for v in args.versions]
     with torch.no_grad():
-        states = [folded(load_weights(NETS[args.net](), path)) for _, path in pairs]
+        states = [known(NETS[args.net](), path) for _, path in pairs]
         torch.save(averaged(states, [float(share) for share, _ in pairs]), args.weights)
     print(args.weights)
 

@@ -135,13 +135,17 @@ def test_hints_tell_of_elevations_what_their_spread_says():
     assert abs(silent.float().mean().item() - 0.1) < 0.01 and (mean[silent] == 0).all()
     measured = (spread > 0) & (spread < 0.05)
     assert abs((mean - level)[measured].abs().mean().item() - 0.035) < 0.003
-    guessed = spread > 0.06
+    guessed = spread > 0.055
     assert abs((mean - level)[guessed].median().item()) < 0.02
-    assert 0.7 < ((mean - level).abs() / spread)[guessed].mean().item() < 1.2
+    # Errors are less than expected, but for photos of which it says what any photo might have.
+    off = ((mean - level).abs() / spread)[guessed]
+    assert 0.3 < off.median().item() < 0.6 and 0.7 < off.mean().item() < 1.1
     # Steep photos are told from level ones, and by a gimbal alone how steep they are.
     mean, spread = hints(steep).unbind(1)
     assert abs(mean[(spread > 0) & (spread < 0.05)].mean().item() - 1.3) < 0.01
-    assert abs(mean[spread > 0.06].median().item() - 0.83) < 0.05
+    guessed = mean[spread > 0.055]
+    assert abs(guessed[guessed > 0.7].median().item() - 0.85) < 0.05
+    assert 0.3 < (guessed < 0.7).float().mean().item() < 0.5
 
 
 def test_bounding_boxes_fit():

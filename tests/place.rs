@@ -89,6 +89,16 @@ fn run(photo: &Path, args: &[&str]) -> (serde_json::Value, PathBuf) {
     (serde_json::from_slice(&done.stdout).unwrap(), out)
 }
 
+/// The parameters in a run's record.
+fn recorded(folder: &Path) -> serde_json::Value {
+    use base64::Engine;
+    let envelope: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.join("orb-record.dsse.json")).unwrap()).unwrap();
+    let payload = base64::engine::general_purpose::STANDARD.decode(envelope["payload"].as_str().unwrap()).unwrap();
+    let statement: serde_json::Value = serde_json::from_slice(&payload).unwrap();
+    statement["predicate"]["params"].clone()
+}
+
 fn at(run: &serde_json::Value) -> Geodetic {
     let g = |name: &str| run["georeference"][name].as_f64().unwrap();
     Geodetic { latitude: g("latitude"), longitude: g("longitude"), height: g("ellipsoidal_height_m") }
@@ -124,15 +134,10 @@ fn the_subject_lies_before_the_camera_of_the_photo() {
         serde_json::from_slice(&std::fs::read(folder.join("car.geopose.json")).unwrap()).unwrap();
     assert_eq!(pose["position"]["lat"].as_f64(), Some(at(&json).latitude));
     assert!((pose["uncertainty"]["horizontal_m"].as_f64().unwrap() - sigma("horizontal_sigma_m")).abs() < 1e-4);
-    let record: serde_json::Value =
-        serde_json::from_slice(&std::fs::read(folder.join("orb-record.dsse.json")).unwrap()).unwrap();
-    use base64::Engine;
-    let payload = base64::engine::general_purpose::STANDARD.decode(record["payload"].as_str().unwrap()).unwrap();
-    let statement: serde_json::Value = serde_json::from_slice(&payload).unwrap();
-    let params = &statement["predicate"]["params"];
+    let params = recorded(&folder);
     assert_eq!(params["latitude"].as_str().unwrap().parse::<f64>().unwrap(), at(&json).latitude);
-    let recorded: f64 = params["horizontal_sigma_m"].as_str().unwrap().parse().unwrap();
-    assert!((recorded - sigma("horizontal_sigma_m")).abs() < 1e-4);
+    let spread: f64 = params["horizontal_sigma_m"].as_str().unwrap().parse().unwrap();
+    assert!((spread - sigma("horizontal_sigma_m")).abs() < 1e-4);
     assert!(params["georeference"].as_str().unwrap().contains("WMM2025"));
 }
 
@@ -142,8 +147,10 @@ fn a_drone_knows_more() {
     let xmp = "<rdf:Description xmlns:drone-dji=\"http://www.dji.com/drone-dji/1.0/\" drone-dji:GimbalYawDegree=\"-90.0\" \
                drone-dji:GimbalPitchDegree=\"-30.0\" drone-dji:RelativeAltitude=\"+40.0\" drone-dji:RtkStdLat=\"0.02\" \
                drone-dji:RtkStdLon=\"0.02\" drone-dji:RtkStdHgt=\"0.04\"/>";
-    let photo = photo(dir.path(), &fix(), Some(xmp));
-    let (json, _) = run(&photo, &[]);
+    let drone = photo(dir.path(), &fix(), Some(xmp));
+    let (json, folder) = run(&drone, &[]);
+    let elevation = |folder: &Path| recorded(folder)["elevation_deg"].as_str().unwrap().parse::<f64>().unwrap();
+    let told = elevation(&folder);
     assert_eq!(json["georeference"]["heading_source"], "gimbal");
     assert!(json["scale"]["words"].as_str().unwrap().contains("40 m above take-off"), "{json}");
     let camera =
@@ -152,6 +159,11 @@ fn a_drone_knows_more() {
     assert!((enu.up + 40.0).abs() < 0.1, "{enu:?}");
     // 30° down over 40 m: 69 m to the west; less, for the subject stands below the middle of the picture.
     assert!((-95.0..-30.0).contains(&enu.east), "{enu:?}");
+
+    // What the gimbal says of the view counts for the model, too: the car is seen from higher up than without.
+    let handheld = photo(dir.path(), &fix(), None);
+    let (_, folder) = run(&handheld, &["--heading", "270"]);
+    assert!(told > elevation(&folder) + 3.0, "{told}, {}", elevation(&folder));
 }
 
 #[test]
