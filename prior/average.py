@@ -11,18 +11,16 @@ import argparse
 
 import torch
 
-from nets import NETS, Res, load_weights
-
-# SplatNet's layers that versions before 0.18 lack.
-NEWEST = "hint."
+from nets import LATER, NETS, Res, load_weights
 
 
 def known(net, path):
-    """The weights in the file at `path`, folded; of layers that its version lacks: not a number."""
-    for name, parameter in net.named_parameters():
-        if name.startswith(NEWEST):
-            parameter.fill_(torch.nan)
-    return folded(load_weights(net, path))
+    """The weights in the file at `path`, folded, without those of layers that its version lacks."""
+    later = [name for name, _ in net.named_parameters() if name.startswith(LATER)]
+    for name in later:
+        net.get_parameter(name).fill_(torch.nan)
+    state = folded(load_weights(net, path))
+    return {name: value for name, value in state.items() if name not in later or not value.isnan().any()}
 
 
 def folded(net):
@@ -46,13 +44,13 @@ def averaged(states, shares):
     """The mean of states by `shares`, which need not add up to 1, each weight's over those that have it."""
 
     def mean(name):
-        if not states[0][name].is_floating_point():
-            return states[0][name]
-        having = [(s[name], share) for s, share in zip(states, shares, strict=True) if not s[name].isnan().any()]
+        having = [(s[name], share) for s, share in zip(states, shares, strict=True) if name in s]
+        if not having[0][0].is_floating_point():
+            return having[0][0]
         total = sum(share for _, share in having)
         return sum(weight * (share / total) for weight, share in having)
 
-    return {name: mean(name) for name in states[0]}
+    return {name: mean(name) for name in {name: None for state in states for name in state}}
 
 
 def main():

@@ -343,6 +343,8 @@ def crop_rays(camera, depth, distance):
     return torch.cat([beside, depth], 2)
 
 
+# Parts that older versions lack; in `grown` they start anew.
+LATER = ("hint.", "el.", "camera.", "er.", "fine.")
 NETS = {"scene": SceneNet, "detail": DetailNet, "splat": SplatNet}
 
 
@@ -356,7 +358,7 @@ def grown(net, state):
     fresh = net.state_dict()
     state = deepened(deepened(dict(state), fresh, "net.mid."), fresh, "net.near.")
     for name, value in fresh.items():
-        if name.startswith(("hint.", "el.", "camera.", "er.", "fine.")):
+        if name.startswith(LATER):
             if name not in state:
                 state[name] = value.clone()
             elif len(state[name]) < len(value):

@@ -9,7 +9,7 @@ from .layout import BALL, CYL
 from .materials import BANDS, CLOUDY, PLAIN, SPECKLES
 from .paws import foreleg, hindleg
 from .skulls import skull
-from .species import CANINE, EQUINE, FELINE, HOOFED, PILLARS, SHAPES, SPLIT, SUPPLE, coats
+from .species import CANINE, CATTLE, EQUINE, FELINE, HOOFED, PILLARS, SHAPES, SPLIT, SUPPLE, coats
 
 
 def trunk(kit, stations, coat, place):
@@ -54,7 +54,7 @@ def tail(kit, name, root, leg, low, coat, hair):
     elif name in ("raccoon", "otter", "badger", "anteater", "armadillo"):
         far = {"otter": 1.3, "anteater": 1.0, "raccoon": 0.75, "armadillo": 0.7}.get(name, 0.35)
         path = bend(root, root + [-far * 0.5, 0, -0.05], (root[0] - far, 0, max(0.1, z * (0.5 if name != "armadillo" else 0.15))), 4)
-    elif name in ("cow", "bull", "zebu", "buffalo", "bison", "giraffe", "zebra", "donkey", "elephant", "rhino", "hippo", "camel", "moose", "lion"):
+    elif name in (*CATTLE, "giraffe", "zebra", "donkey", "elephant", "rhino", "hippo", "camel", "moose", "lion"):
         drop = {"hippo": 0.25, "rhino": 0.35, "bison": 0.35, "moose": 0.1}.get(name, 0.55) * z
         stop = root + [-0.1, rng.normal(0, 0.03), -drop]
         kit.chain(bend(root, root + [-0.12, 0, 0], stop, 3), [leg * 0.6, leg * 0.45, leg * 0.35], coat)

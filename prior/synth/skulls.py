@@ -6,9 +6,7 @@ from .animals import BLACK, CREAM, DARK, PINK, WHITE, bend, fur, hull
 from .kit import turn
 from .layout import BALL, CYL
 from .materials import PLAIN, paint
-from .species import CANINE, FELINE, SPLIT
-
-CATTLE = ["cow", "bull", "zebu", "buffalo", "bison"]
+from .species import CANINE, CATTLE, FELINE, SPLIT
 
 
 def antlers(head, horn, far, palms):

@@ -62,9 +62,10 @@ SHAPES = {
 CANINE = ["shepherd", "retriever", "husky", "greyhound", "dachshund", "bulldog", "pug", "poodle", "terrier", "beagle", "dalmatian", "corgi", "wolf", "fox"]
 FELINE = ["cat", "lion", "tiger", "leopard", "cheetah"]
 EQUINE = ["horse", "pony", "donkey", "zebra"]
-HOOFED = [*EQUINE, "cow", "bull", "zebu", "buffalo", "bison", "goat", "sheep", "pig", "boar", "deer", "moose", "camel", "llama", "giraffe", "tapir"]
+CATTLE = ["cow", "bull", "zebu", "buffalo", "bison"]
+HOOFED = [*EQUINE, *CATTLE, "goat", "sheep", "pig", "boar", "deer", "moose", "camel", "llama", "giraffe", "tapir"]
 PILLARS = ["elephant", "rhino", "hippo"]
-SPLIT = ["cow", "bull", "zebu", "buffalo", "bison", "goat", "sheep", "deer", "moose", "camel", "llama", "giraffe"]
+SPLIT = [*CATTLE, "goat", "sheep", "deer", "moose", "camel", "llama", "giraffe"]
 # Those that look back over their shoulders.
 SUPPLE = ["deer", "camel", "llama", "giraffe", "goat", "greyhound", "cat", "horse", "zebu", "fox"]
 # Coats to choose from: coat, legs, muzzle, belly, back, hair of mane and tail; None: as the coat, or nothing on belly and back.
