@@ -20,8 +20,9 @@ LEVELS = np.array([0.048, 0.164, 0.288, 0.420, 0.559, 0.715, 0.908, 1.196], np.f
 LEVELS = np.concatenate([-LEVELS[::-1], LEVELS])
 # The two levels of each byte, [256, 2], the one in its upper half first.
 PAIRS = np.stack([LEVELS[np.arange(256) >> 4], LEVELS[np.arange(256) & 15]], 1)
-# Of the largest weight of a group, what its scale may be: the one of least error is taken.
-SCALES = np.arange(0.55, 1.11, 0.05, dtype=np.float32)
+# Of the largest weight of a group, what its scale may be: the one of least error is taken. Those by which the largest is at a level
+# find again what was rounded before (`rounding`).
+SCALES = np.concatenate([np.arange(0.55, 1.11, 0.05, dtype=np.float32), 1 / LEVELS[8:]])
 
 
 def pack(path, four_bits=()):
@@ -59,11 +60,16 @@ def pack(path, four_bits=()):
     onnx.save(rewritten(model), path)
 
 
+def group_width(inputs):
+    """How many of a matrix's inputs share a scale."""
+    return GROUP if inputs % GROUP == 0 else 32
+
+
 def in_four_bits(values):
     """A matrix [in, out] as numbers of `LEVELS`, two to a byte, [in / GROUP, GROUP, out / 2] uint8, and the scales of groups,
     [in / GROUP, 1, out] float16."""
     rows, columns = values.shape
-    width = GROUP if rows % GROUP == 0 else 32
+    width = group_width(rows)
     groups = values.reshape(rows // width, width, columns)
     between = (LEVELS[1:] + LEVELS[:-1]) / 2
     largest = np.maximum(np.abs(groups).max(1, keepdims=True), 1e-6)

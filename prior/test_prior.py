@@ -292,6 +292,47 @@ def test_four_bits_keep_matrices():
         assert relative.max() < 0.11 and relative.mean() < 0.097
 
 
+def test_rounding_by_inputs_costs_the_answer_less_and_is_stored_as_it_is():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("onnx")
+    from packing import from_four_bits, in_four_bits
+    from rounding import rounded
+
+    def stored(matrix):
+        return torch.from_numpy(from_four_bits(*in_four_bits(matrix.numpy())))
+
+    torch.manual_seed(5)
+    for inputs in (128, 160):  # groups of 64 and of 32
+        # What goes in together, and what hardly ever goes in.
+        x = torch.randn(4000, inputs) @ (torch.randn(inputs, inputs) * torch.logspace(-2, 0, inputs)[:, None])
+        matrix = torch.randn(inputs, 48)
+        after = rounded(matrix, x.T @ x)
+        assert torch.equal(stored(after), after)
+        costs = [(x @ (stored(m) - matrix)).norm() for m in (matrix, after)]
+        assert costs[1] < 0.75 * costs[0], costs
+
+
+def test_blocks_are_rounded_one_after_the_other():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("onnx")
+    from nets import Block
+    from packing import from_four_bits, in_four_bits
+    from rounding import round_blocks
+
+    torch.manual_seed(6)
+    blocks = torch.nn.ModuleList(Block(64, 2) for _ in range(2))
+    tokens = [torch.randn(2, 16, 64) for _ in range(2)]
+    before = {name: p.clone() for name, p in blocks.named_parameters()}
+    round_blocks(blocks, tokens)
+    for name, p in blocks.named_parameters():
+        if p.ndim == 1:
+            assert torch.equal(p, before[name]), name
+        else:
+            numbers = p.detach().T.numpy()
+            assert np.array_equal(from_four_bits(*in_four_bits(numbers)), numbers), name
+            assert 0.01 < (p - before[name]).norm() / before[name].norm() < 0.2, name
+
+
 def test_a_place_fits_no_worse_than_the_one_before():
     from devset.score import best_place
 

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.18",
-    sha256: "cca74266902c0f2151a7ad31797325fb2aa823ac9ba7f80048c5b9e87f04c79c",
+    version: "0.19",
+    sha256: "090e1a01a76b6ab18409bedfce570e01c93445f961278b924cdb25fb8cc848e8",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

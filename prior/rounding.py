@@ -1,0 +1,106 @@
+"""Round SplatNet's transformers to four bits so that what they answer changes least.
+
+    python rounding.py WEIGHTS OUT.pt [--crops 128] [--seed 0]
+
+WEIGHTS: .pt of a training, or .onnx. OUT.pt: for export.py, which stores its matrices without any further error. Each matrix is rounded
+input by input, and what an input's weights lose the weights of those that come after it make up for, as far as inputs go together
+(GPTQ, Frantar et al. 2023, algorithm 1); how they go together is seen on generated crops that no training draws, block after block,
+with the blocks before already rounded. No GPU needed; about two seconds a crop on two cores.
+"""
+
+import argparse
+
+import torch
+
+from nets import SplatNet, load_weights
+from packing import LEVELS, SCALES, group_width
+
+# Of the mean of its diagonal, what is added to a matrix of second moments before it is inverted.
+DAMPING = 0.01
+CROPS_AT_ONCE = 16
+POOL = 1000  # objects, all of which no training draws
+
+
+def rounded(matrix, moments):
+    """A matrix [in, out] with numbers that `packing.in_four_bits` stores as they are. moments [in, in]: sums of products of two inputs."""
+    levels, scales = torch.from_numpy(LEVELS), torch.from_numpy(SCALES)
+    between = (levels[1:] + levels[:-1]) / 2
+    left = matrix.double().clone()
+    damped = moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64)
+    inverse = torch.linalg.cholesky(torch.cholesky_inverse(torch.linalg.cholesky(damped)), upper=True)
+    result = torch.empty_like(matrix, dtype=torch.float32)
+    width = group_width(len(matrix))
+
+    def nearest(values, scale):
+        return levels[torch.bucketize((values / scale).contiguous(), between)] * scale
+
+    for start in range(0, len(matrix), width):
+        group = left[start : start + width].float()
+        tried = (group.abs().amax(0).clamp(min=1e-6) * scales[:, None]).half().float()
+        errors = torch.stack([((nearest(group, scale) - group) ** 2).sum(0) for scale in tried])
+        scale = tried.gather(0, errors.argmin(0, keepdim=True))[0]
+        for i in range(start, start + len(group)):
+            result[i] = nearest(left[i].float(), scale)
+            lost = (left[i] - result[i]) / inverse[i, i]
+            left[i + 1 :] -= inverse[i, i + 1 :, None] * lost
+    return result
+
+
+@torch.no_grad()
+def round_blocks(blocks, tokens):
+    """Round the matrices of transformer `blocks` in place; `tokens`: what the first one gets, a list of [B, N, C]."""
+    for block in blocks:
+        for layer in (block.qkv, block.o, block.f[0], block.f[2]):
+            moments = torch.zeros(layer.in_features, layer.in_features)
+
+            def measure(_, args, moments=moments):
+                x = args[0].flatten(0, 1)
+                moments += x.T @ x
+
+            hook = layer.register_forward_pre_hook(measure)
+            for x in tokens:
+                block(x)
+            hook.remove()
+            layer.weight.copy_(rounded(layer.weight.T, moments).T)
+        tokens = [block(x) for x in tokens]
+
+
+@torch.no_grad()
+def inputs_of(block, net, batches):
+    """What `block` of SplatNet `net` gets of each (crops, hints) of `batches`."""
+    seen = []
+    hook = block.register_forward_pre_hook(lambda _, args: seen.append(args[0]))
+    for rgba, hint in batches:
+        net(rgba, hint)
+    hook.remove()
+    return seen
+
+
+def generated(crops, seed):
+    """Pairs of crops and hints as SplatNet learns from, of objects of seeds below one million."""
+    from synth.batches import make_pool, splat_batch
+
+    torch.manual_seed(seed)
+    pool = make_pool(600_000, POOL, 2, "cpu", textures=48)
+    made = (splat_batch(pool, CROPS_AT_ONCE, SplatNet.FOV, SplatNet.DIST, views=2) for _ in range(-(-crops // CROPS_AT_ONCE)))
+    return [(batch.rgba, batch.hint) for batch in made]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("weights")
+    parser.add_argument("out")
+    parser.add_argument("--crops", type=int, default=128)
+    parser.add_argument("--seed", type=int, default=0)
+    args = parser.parse_args()
+    net = load_weights(SplatNet(), args.weights).eval()
+    batches = generated(args.crops, args.seed)
+    # The finer grid's blocks are given what the rounded ones of the coarser grid make.
+    for blocks in (net.net.mid, net.net.near):
+        round_blocks(blocks, inputs_of(blocks[0], net, batches))
+    torch.save(net.state_dict(), args.out)
+    print(args.out)
+
+
+if __name__ == "__main__":
+    main()
