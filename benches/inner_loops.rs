@@ -1,15 +1,13 @@
 //! The inner loops: drawing splats, drawing triangles, closest points, the metrics of a picture.
 //! `cargo bench --bench inner_loops`; the whole, with stages: `orb bench speed`.
 
-use std::hint::black_box;
-
-use criterion::{Criterion, criterion_group, criterion_main};
+use divan::{Bencher, bench, black_box};
 use glam::{Quat, Vec2, Vec3};
 use image::RgbImage;
 use orb::bench::surfaces::{Shape, scores};
 use orb::bench::{Picture, consistency, perception};
 use orb::mesh::{self, Mesh, Surface};
-use orb::splat::{Camera, Gaussians, SH_COEFFICIENTS, render};
+use orb::splat::{Gaussians, SH_COEFFICIENTS, render};
 use orb::views;
 
 /// SplitMix64 (Steele et al. 2014), 0..1.
@@ -65,42 +63,75 @@ fn surface((m, _): &(Mesh, RgbImage)) -> Surface {
     Surface { positions: m.positions.clone(), triangles: m.triangles.clone() }
 }
 
-fn drawing(c: &mut Criterion) {
-    let camera: Camera = views::orbit(30.0, 20.0, views::DISTANCE, 512);
-    let g = splats(30_000);
-    c.bench_function("splats, 30,000 at 512²", |b| b.iter(|| render(black_box(&g), &camera, [1.0; 3])));
-    let (m, texture) = ball(64, 0.9);
-    c.bench_function("triangles, 8,192 at 512²", |b| {
-        b.iter(|| mesh::raster(black_box(&m), Some(&texture), &camera, [255; 3], 2))
-    });
+#[bench(name = "splats, 30,000 at 512²", sample_count = 20)]
+fn splats_drawn(b: Bencher) {
+    let (g, camera) = (splats(30_000), views::orbit(30.0, 20.0, views::DISTANCE, 512));
+    b.bench(|| render(black_box(&g), &camera, [1.0; 3]));
 }
 
-fn distances(c: &mut Criterion) {
-    let (a, b) = (surface(&ball(64, 0.9)), surface(&ball(64, 0.92)));
-    c.bench_function("what is seen of 8,192 triangles from 32 sides", |t| t.iter(|| Shape::of_surface(black_box(&a))));
-    let (a, b) = (Shape::of_surface(&a), Shape::of_surface(&b));
-    c.bench_function("Chamfer and F-score, 20,000 points a side", |t| t.iter(|| scores(black_box(&a), &b, 3.0)));
-    c.bench_function("volume IoU, 48 cells", |t| {
-        t.iter(|| black_box(&a).volume_iou(&b, (Vec3::splat(-1.0), Vec3::splat(1.0)), 48))
-    });
+#[bench(name = "triangles, 8,192 at 512²", sample_count = 20)]
+fn triangles_drawn(b: Bencher) {
+    let ((m, texture), camera) = (ball(64, 0.9), views::orbit(30.0, 20.0, views::DISTANCE, 512));
+    b.bench(|| mesh::raster(black_box(&m), Some(&texture), &camera, [255; 3], 2));
 }
 
-fn pictures(c: &mut Criterion) {
+#[bench(name = "what is seen of 8,192 triangles from 32 sides", sample_count = 20)]
+fn what_is_seen(b: Bencher) {
+    let a = surface(&ball(64, 0.9));
+    b.bench(|| Shape::of_surface(black_box(&a)));
+}
+
+fn shapes() -> [Shape; 2] {
+    [0.9, 0.92].map(|radius| Shape::of_surface(&surface(&ball(64, radius))))
+}
+
+#[bench(name = "Chamfer and F-score, 20,000 points a side", sample_count = 20)]
+fn distances(b: Bencher) {
+    let [found, truth] = shapes();
+    b.bench(|| scores(black_box(&found), &truth, 3.0));
+}
+
+#[bench(name = "volume IoU, 48 cells", sample_count = 20)]
+fn volumes(b: Bencher) {
+    let [found, truth] = shapes();
+    b.bench(|| black_box(&found).volume_iou(&truth, (Vec3::splat(-1.0), Vec3::splat(1.0)), 48));
+}
+
+fn pictures() -> [Picture; 2] {
     let mut r = Random(9);
-    let mut picture = || Picture::new(256, 256, (0..256 * 256).map(|_| [r.next(), r.next(), r.next()]).collect());
-    let (a, b) = (picture(), picture());
-    c.bench_function("PSNR, 256²", |t| t.iter(|| perception::psnr(black_box(&a.pixels), &b.pixels)));
-    c.bench_function("SSIM, 256²", |t| t.iter(|| perception::ssim(black_box(&a), &b)));
-    c.bench_function("MS-SSIM, 256²", |t| t.iter(|| perception::ms_ssim(black_box(&a), &b)));
-    c.bench_function("ΔE2000, 256²", |t| {
-        t.iter(|| perception::delta_e_2000(black_box(&a.pixels), &b.pixels, |_| true))
-    });
-    c.bench_function("reprojection error, 256²", |t| t.iter(|| consistency::reprojection_error(black_box(&a), &b)));
+    [(); 2].map(|()| Picture::new(256, 256, (0..256 * 256).map(|_| [r.next(), r.next(), r.next()]).collect()))
 }
 
-criterion_group!(
-    name = loops;
-    config = Criterion::default().sample_size(20);
-    targets = drawing, distances, pictures
-);
-criterion_main!(loops);
+#[bench(name = "PSNR, 256²", sample_count = 20)]
+fn psnr(b: Bencher) {
+    let [found, truth] = pictures();
+    b.bench(|| perception::psnr(black_box(&found.pixels), &truth.pixels));
+}
+
+#[bench(name = "SSIM, 256²", sample_count = 20)]
+fn ssim(b: Bencher) {
+    let [found, truth] = pictures();
+    b.bench(|| perception::ssim(black_box(&found), &truth));
+}
+
+#[bench(name = "MS-SSIM, 256²", sample_count = 20)]
+fn ms_ssim(b: Bencher) {
+    let [found, truth] = pictures();
+    b.bench(|| perception::ms_ssim(black_box(&found), &truth));
+}
+
+#[bench(name = "ΔE2000, 256²", sample_count = 20)]
+fn delta_e(b: Bencher) {
+    let [found, truth] = pictures();
+    b.bench(|| perception::delta_e_2000(black_box(&found.pixels), &truth.pixels, |_| true));
+}
+
+#[bench(name = "reprojection error, 256²", sample_count = 20)]
+fn reprojection_error(b: Bencher) {
+    let [found, truth] = pictures();
+    b.bench(|| consistency::reprojection_error(black_box(&found), &truth));
+}
+
+fn main() {
+    divan::main();
+}

@@ -220,11 +220,8 @@ fn meshed(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Model> {
-    let drawers = splat::render::Drawers::new(gaussians);
-    let render = |camera: &Camera| {
-        let frame = drawers.render(camera, GREY);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
+    let drawers = splat::render::Drawers::passing(gaussians, mesh::FIRM);
+    let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, GREY);
     let options = mesh::Options {
         levels: settings.levels,
         cut_off_below,
@@ -239,11 +236,8 @@ fn meshed(
 /// Expected errors of Gaussians on the model.
 fn expected_texture(g: &Gaussians, errors: &[f32], finest: &Level, progress: &dyn Progress) -> Result<GrayImage> {
     progress.begin("expected error", 0);
-    let drawers = splat::render::Drawers::new(&confidence::as_greys(g, errors));
-    let render = |camera: &Camera| {
-        let frame = drawers.render(camera, [0.0; 3]);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
+    let drawers = splat::render::Drawers::passing(&confidence::as_greys(g, errors), mesh::FIRM);
+    let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, [0.0; 3]);
     mesh::expected_error::texture(finest, &render, progress)
 }
 

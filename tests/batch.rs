@@ -9,8 +9,15 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 const AS_OF: &str = "--as-of=2026-01-31T12:00:00.000Z";
-const OPTIONS: [&str; 6] =
-    ["--format=cdb,glb", "--iterations=8", "--device=cpu", "--texture=256", "--length=2.5", "--seed=7"];
+const OPTIONS: [&str; 7] = [
+    "--format=cdb,glb",
+    "--iterations=8",
+    "--device=cpu",
+    "--triangles=1000",
+    "--texture=256",
+    "--length=2.5",
+    "--seed=7",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -339,7 +339,7 @@ fn a_second_model_joins_a_store_and_a_failure_leaves_it_alone() {
         }
     }
     let before = tree(&store);
-    let args = ["--cdb", store.to_str().unwrap(), "-o"];
+    let args = ["--triangles", "1000", "--texture", "256", "--cdb", store.to_str().unwrap(), "-o"];
     let bad = dir.path().join("bad.jpg");
     std::fs::write(&bad, b"words").unwrap();
     let out = dir.path().join("bad");

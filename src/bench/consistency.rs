@@ -222,6 +222,7 @@ mod tests {
             color: (0..64 * 64).map(color).collect(),
             alpha: vec![1.0; 64 * 64],
             depth: vec![4.0 + off; 64 * 64],
+            passing: crate::mesh::MEDIAN,
         }
     }
 

@@ -169,7 +169,13 @@ fn perceptual(
 /// A picture that covers everything and has no depth.
 fn opaque(camera: &Camera, picture: &Picture) -> View {
     let n = picture.pixels.len();
-    View { camera: *camera, color: picture.pixels.clone(), alpha: vec![1.0; n], depth: vec![0.0; n] }
+    View {
+        camera: *camera,
+        color: picture.pixels.clone(),
+        alpha: vec![1.0; n],
+        depth: vec![0.0; n],
+        passing: mesh::MEDIAN,
+    }
 }
 
 /// White for equal, through yellow and red to black for a mean difference of half the full scale and more.

@@ -249,14 +249,14 @@ impl Appearance<'_> {
             Appearance::Splats(g) => {
                 let frame = splat::render(g, camera, behind);
                 let color = frame.color.into_iter().map(|c| c.map(|v| v.clamp(0.0, 1.0))).collect();
-                View { camera: *camera, color, alpha: frame.alpha, depth: frame.median_depth }
+                View { camera: *camera, color, alpha: frame.alpha, depth: frame.median_depth, passing: mesh::MEDIAN }
             }
             Appearance::Mesh(mesh, texture) => {
                 let (color, alpha) = straight(mesh, texture, camera);
                 let over = |(c, a): (&[f32; 3], &f32)| std::array::from_fn(|k| c[k] * a + behind[k] * (1.0 - a));
                 let color = color.iter().zip(&alpha).map(over).collect();
                 let depth = mesh::raster::visibility(&mesh.positions, &mesh.triangles, camera).depth;
-                View { camera: *camera, color, alpha, depth }
+                View { camera: *camera, color, alpha, depth, passing: mesh::MEDIAN }
             }
         }
     }

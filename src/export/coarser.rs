@@ -49,6 +49,7 @@ pub fn with_coarser(finest: PlacedLevel, count: usize, progress: &dyn Progress) 
             color: picture.pixels().map(|p| p.0.map(|c| f32::from(c) / 255.0)).collect(),
             alpha: seen.triangle.iter().map(|t| if *t == u32::MAX { 0.0 } else { 1.0 }).collect(),
             depth: seen.depth,
+            passing: mesh::MEDIAN,
         }
     };
     let first = CAPS.len() - fewer;

@@ -216,12 +216,9 @@ pub fn surface(g: &Gaussians, options: mesh::Options, progress: &dyn Progress) -
         return Err(Error::usage("the scene").expected("splats around a body").found(format!("a radius of {radius}")));
     }
     let unit = g.transformed(Mat3::IDENTITY, 1.0 / radius, -centre / radius);
-    let drawers = splat::render::Drawers::new(&unit);
+    let drawers = splat::render::Drawers::passing(&unit, mesh::FIRM);
     drop(unit);
-    let render = |camera: &Camera| {
-        let frame = drawers.render(camera, GREY);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
+    let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, GREY);
     let options = mesh::Options { background: GREY, ..options };
     let model = mesh::build(&render, &[], &options, progress)?;
     let back = ToMetres { base: -centre / radius, scale: radius };

@@ -25,13 +25,12 @@ impl DepthMap {
     pub fn new(view: &View) -> Self {
         let camera = view.camera;
         let (w, h) = (camera.width as usize, camera.height as usize);
-        let solid = |i: usize| view.alpha[i] >= 0.5 && view.depth[i] > 0.0 && view.depth[i].is_finite();
+        let solid = |i: usize| view.solid(i);
         let texels = (0..w * h)
             .map(|i| {
                 if !solid(i) {
-                    let alpha = if view.alpha[i].is_finite() { view.alpha[i] } else { 1.0 };
                     // Half stopped says nothing either way: thin parts look like that.
-                    return [0.0, 0.0, 0.0, ((0.35 - alpha) / 0.25).clamp(0.0, 1.0)];
+                    return [0.0, 0.0, 0.0, ((0.35 - view.firmness(i)) / 0.25).clamp(0.0, 1.0)];
                 }
                 let (x, y) = (i % w, i / w);
                 let z = view.depth[i];

@@ -41,7 +41,7 @@ pub fn texture(level: &Level, render: &(dyn Fn(&Camera) -> View + Sync), progres
 mod tests {
     use super::*;
     use crate::mesh::raster::visibility;
-    use crate::mesh::{Details, Mesh, fibonacci_sphere};
+    use crate::mesh::{Details, MEDIAN, Mesh, fibonacci_sphere};
     use crate::progress::Silent;
     use glam::{Vec2, Vec3};
     use image::RgbImage;
@@ -79,7 +79,7 @@ mod tests {
             let error = |t: u32| if t < 2 { 20.0 / 255.0 } else { 80.0 / 255.0 };
             let one = |t: &u32| if *t == u32::MAX { ([0.0; 3], 0.0) } else { ([0.9 * error(*t); 3], 0.9) };
             let (color, alpha) = seen.triangle.iter().map(one).unzip();
-            View { camera: *camera, color, alpha, depth: seen.depth }
+            View { camera: *camera, color, alpha, depth: seen.depth, passing: MEDIAN }
         };
         assert!(fibonacci_sphere(VIEWS).iter().any(|d| d.y < -0.5));
         let picture = texture(&level, &render, &Silent).unwrap();

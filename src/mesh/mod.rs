@@ -36,10 +36,12 @@ mod scenes;
 
 use crate::progress::Progress;
 use crate::splat::Camera;
+use crate::splat::render::Drawers;
 use crate::{Error, Result};
 use glam::{Vec2, Vec3};
 use image::{GrayImage, RgbImage};
 
+pub use crate::splat::render::MEDIAN;
 pub use raster::raster;
 
 /// What a renderer sees from one camera; row-major, top row first, `camera.width · camera.height` entries each.
@@ -50,8 +52,42 @@ pub struct View {
     pub color: Vec<[f32; 3]>,
     /// Share of light stopped, 0..1.
     pub alpha: Vec<f32>,
-    /// Camera z of the surface (median along the ray); 0 where there is none.
+    /// Camera z of the surface, where the transmittance passes `passing`; 0 where it does not.
     pub depth: Vec<f32>,
+    /// A ray meets a surface where no more than this share of its light goes on: [`MEDIAN`], or [`FIRM`].
+    pub passing: f32,
+}
+
+/// For [`View::passing`]: the surface is where half the light would have been stopped if every Gaussian lay there twice.
+///
+/// What a network is unsure of it makes faint: a head that may look here or there is half there in either place, and where half
+/// the light is asked for, a ray goes on through the one that the photo shows to the neck behind.
+pub const FIRM: f32 = std::f32::consts::FRAC_1_SQRT_2;
+
+impl View {
+    /// What `drawers` show; they say what passes.
+    pub fn drawn(drawers: &Drawers, camera: &Camera, background: [f32; 3]) -> Self {
+        let frame = drawers.render(camera, background);
+        View {
+            camera: *camera,
+            color: frame.color,
+            alpha: frame.alpha,
+            depth: frame.median_depth,
+            passing: drawers.passing,
+        }
+    }
+
+    /// Share of light stopped, 0..1, scaled so that a surface is met from ½ on; 1 where the alpha is not finite.
+    fn firmness(&self, pixel: usize) -> f32 {
+        let alpha = if self.alpha[pixel].is_finite() { self.alpha[pixel] } else { 1.0 };
+        1.0 - (1.0 - alpha).max(0.0).powf(MEDIAN.ln() / self.passing.ln())
+    }
+
+    /// Whether a ray meets a surface.
+    fn solid(&self, pixel: usize) -> bool {
+        let (alpha, depth) = (self.alpha[pixel], self.depth[pixel]);
+        alpha >= 1.0 - self.passing && depth > 0.0 && depth.is_finite()
+    }
 }
 
 /// The photo's crop: where it sees the surface its pixels win over rendered views.

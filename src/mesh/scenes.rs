@@ -1,7 +1,7 @@
 //! Analytic scenes for tests: signed distance functions, ray-marched.
 
 use super::fuse::Volume;
-use super::{Surface, View, extract};
+use super::{MEDIAN, Surface, View, extract};
 use crate::splat::Camera;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -69,6 +69,7 @@ impl Scene {
             color: pixels.iter().map(|p| p.0).collect(),
             alpha: pixels.iter().map(|p| p.1).collect(),
             depth: pixels.iter().map(|p| p.2).collect(),
+            passing: MEDIAN,
         }
     }
 }

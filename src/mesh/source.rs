@@ -101,10 +101,15 @@ fn nearest_around(depth: &[f32], width: usize, height: usize, reach: usize) -> V
     result
 }
 
+/// Trust in a rendered colour by how much of it is there, 0..1.
+fn firm(view: &View, pixel: usize) -> f32 {
+    ((view.firmness(pixel) - 0.5) / 0.45).clamp(0.0, 1.0).powi(2)
+}
+
 /// A rendered view over the mesh that it is asked about.
 pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], linear: &Linear) -> Source {
     let (w, h) = (mesh_seen.width, mesh_seen.height);
-    let solid = |i: usize| view.alpha[i] >= 0.5 && view.depth[i] > 0.0;
+    let solid = |i: usize| view.solid(i);
     // Both the mesh and what was rendered may hide a point.
     let depth: Vec<f32> = (0..w * h)
         .map(|i| match (mesh_seen.depth[i], solid(i)) {
@@ -118,12 +123,12 @@ pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], line
                 return 0.0;
             }
             let behind = (view.depth[i] - mesh_seen.depth[i]) / 0.08;
-            ((view.alpha[i] - 0.5) / 0.45).clamp(0.0, 1.0).powi(2) * (1.0 - behind).clamp(0.02, 1.0)
+            firm(view, i) * (1.0 - behind).clamp(0.02, 1.0)
         })
         .collect();
     let color = (0..w * h)
         .map(|i| {
-            let a = view.alpha[i].clamp(0.5, 1.0);
+            let a = view.alpha[i].clamp(1.0 - view.passing, 1.0);
             std::array::from_fn(|k| linear.of((view.color[i][k] - (1.0 - a) * background[k]) / a))
         })
         .collect();
@@ -136,11 +141,11 @@ pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], line
 /// `slack`: how far behind what was rendered a point may lie, beside what pixels and slopes make.
 pub fn view_source(view: &View, background: [f32; 3], slack: f32, linear: &Linear) -> Source {
     let (w, h) = (view.camera.width as usize, view.camera.height as usize);
-    let solid = |i: usize| view.alpha[i] >= 0.5 && view.depth[i] > 0.0;
+    let solid = |i: usize| view.solid(i);
     let depth: Vec<f32> = (0..w * h).map(|i| if solid(i) { view.depth[i] } else { 0.0 }).collect();
-    let trust = |i: usize| if solid(i) { ((view.alpha[i] - 0.5) / 0.45).clamp(0.0, 1.0).powi(2) } else { 0.0 };
+    let trust = |i: usize| if solid(i) { firm(view, i) } else { 0.0 };
     let color = |i: usize| {
-        let a = view.alpha[i].clamp(0.5, 1.0);
+        let a = view.alpha[i].clamp(1.0 - view.passing, 1.0);
         std::array::from_fn(|k| linear.of((view.color[i][k] - (1.0 - a) * background[k]) / a))
     };
     Source {

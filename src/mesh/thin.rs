@@ -62,8 +62,7 @@ impl<'a> Sheet<'a> {
     fn new(volume: &Volume, view: &'a View, mask: &[f32]) -> Self {
         let camera = &view.camera;
         let (width, height) = (camera.width as usize, camera.height as usize);
-        let shown =
-            |i: usize| mask[i] >= 0.5 && view.alpha[i] >= 0.5 && view.depth[i] > 0.0 && view.depth[i].is_finite();
+        let shown = |i: usize| mask[i] >= 0.5 && view.solid(i);
         let depth: Vec<f32> = (0..width * height).map(|i| if shown(i) { view.depth[i] } else { 0.0 }).collect();
         let nearest = depth.iter().filter(|d| **d > 0.0).fold(f32::INFINITY, |a, b| a.min(*b));
         let reach = (THICKEST * camera.fx.max(camera.fy) / nearest.max(0.1)).clamp(1.0, 40.0);

@@ -63,10 +63,7 @@ pub fn publish(
     let [from, to] = surface.bounds();
     let margin = 8.0 * surface.cell;
     let drawers = Drawers::new(&seen);
-    let render = |camera: &Camera| {
-        let frame = drawers.render(camera, [0.0; 3]);
-        mesh::View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    };
+    let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, [0.0; 3]);
     let scene = tiles::Scene {
         render: &render,
         cameras: &ground.cameras,

@@ -1,9 +1,10 @@
 use super::super::clean::edges_used_twice;
 use super::super::scenes::{self, Scene};
-use super::super::{build, raster};
+use super::super::{FIRM, MEDIAN, build, raster};
 use super::*;
 use crate::progress::Silent;
-use crate::splat::{Gaussians, render};
+use crate::splat::Gaussians;
+use crate::splat::render::Drawers;
 use glam::{Mat3, Vec2};
 
 fn quick() -> Options {
@@ -267,10 +268,16 @@ fn poor_input_is_an_error_or_a_model_and_never_a_panic() {
     // Full of NaN; and views of the wrong length.
     let nan = |c: &Camera| {
         let n = (c.width * c.height) as usize;
-        View { camera: *c, color: vec![[f32::NAN; 3]; n], alpha: vec![f32::NAN; n], depth: vec![f32::NAN; n] }
+        View {
+            camera: *c,
+            color: vec![[f32::NAN; 3]; n],
+            alpha: vec![f32::NAN; n],
+            depth: vec![f32::NAN; n],
+            passing: MEDIAN,
+        }
     };
     assert!(build(&nan, &[], &options, &Silent).is_err());
-    let short = |c: &Camera| View { camera: *c, color: vec![], alpha: vec![], depth: vec![] };
+    let short = |c: &Camera| View { camera: *c, color: vec![], alpha: vec![], depth: vec![], passing: MEDIAN };
     assert!(build(&short, &[], &options, &Silent).unwrap_err().found.contains('0'));
     let bad = Options { texture_size: [1000, 512, 256, 128], ..quick() };
     assert!(build(&nan, &[], &bad, &Silent).unwrap_err().subject.contains("texture"));
@@ -337,10 +344,8 @@ fn dots(points: impl Iterator<Item = Vec3>, size: f32) -> Gaussians {
 }
 
 fn drawn(g: &Gaussians) -> impl Fn(&Camera) -> View + Sync {
-    move |camera| {
-        let frame = render(g, camera, scenes::BACKGROUND);
-        View { camera: *camera, color: frame.color, alpha: frame.alpha, depth: frame.median_depth }
-    }
+    let drawers = Drawers::passing(g, FIRM);
+    move |camera| View::drawn(&drawers, camera, scenes::BACKGROUND)
 }
 
 #[test]
@@ -385,6 +390,24 @@ fn two_parts_of_gaussians_stay_two() {
     let s = &model.surface;
     // Euler characteristic of two balls.
     assert_eq!(s.positions.len() as i64 - s.triangles.len() as i64 / 2, 4);
+}
+
+/// A layer of it stops a third of the light: half is stopped by its far side, or by what lies behind it.
+#[test]
+fn a_faint_part_is_there() {
+    let ball = |c: Vec3| super::super::fibonacci_sphere(1500).into_iter().map(move |d| c + 0.3 * d);
+    let mut g = dots(ball(Vec3::new(-0.5, 0.0, 0.0)).chain(ball(Vec3::new(0.5, 0.0, 0.0))), 0.03);
+    g.logit_opacities[1500..].fill(-2.75);
+    let options = quick();
+    let model = build(&drawn(&g), &[], &options, &Silent).unwrap();
+    check(&model, &options);
+    let [solid, faint] = [-1.0f32, 1.0].map(|side| {
+        let mut part = model.surface.clone();
+        part.triangles.retain(|t| t.iter().all(|&i| model.surface.positions[i as usize].x * side > 0.0));
+        part.volume()
+    });
+    let ball = 4.0 / 3.0 * std::f64::consts::PI * 0.3f64.powi(3);
+    assert!(faint > 0.9 * ball && faint < 1.1 * solid, "{faint} of {ball}, {solid} where it is opaque");
 }
 
 /// Minutes and gigabytes: `cargo test --release five_million -- --ignored`.

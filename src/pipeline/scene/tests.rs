@@ -151,8 +151,9 @@ fn the_cap_holds_under_both_strategies_and_mcmc_fills_it() {
 #[test]
 fn exposures_are_compensated() {
     let drifting = made(&site::Options { exposure_drift: 0.35, ..PLAIN });
-    let with = trained(&drifting, &Options { exposure: true, ..brief() }, false);
-    let without = trained(&drifting, &brief(), false);
+    let short = Options { iterations: 500, ..brief() };
+    let with = trained(&drifting, &Options { exposure: true, ..short.clone() }, false);
+    let without = trained(&drifting, &short, false);
     // Whatever the photo's own exposure, and as a camera of fixed exposure sees it.
     let own = with.held_out.psnr_fitted.unwrap();
     assert!(own > without.held_out.psnr + 3.0, "{own} {:?}", without.held_out);
@@ -181,7 +182,8 @@ fn exposures_are_compensated() {
 #[test]
 fn a_mask_hides_what_moves() {
     let moving = made(&site::Options { moving: true, ..PLAIN });
-    let (with, without) = (trained(&moving, &brief(), true), trained(&moving, &brief(), false));
+    let short = Options { iterations: 500, ..brief() };
+    let (with, without) = (trained(&moving, &short, true), trained(&moving, &short, false));
     // Where the van stands in the photos trained on, the scene shows what is behind it, not the van.
     let hidden = |s: &Scene| -> f64 {
         let (mut found, mut truth) = (Vec::new(), Vec::new());

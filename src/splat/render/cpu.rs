@@ -24,7 +24,7 @@ pub struct Frame {
     pub alpha: Vec<f32>,
     /// Σ w·z / Σ w with z the Gaussians' camera-space depth; 0 where alpha < 1/255.
     pub depth: Vec<f32>,
-    /// z of the Gaussian at which the transmittance passes ½; 0 where it does not.
+    /// z of the Gaussian at which the transmittance passes ½, or what [`Drawer::passing`] says; 0 where it does not.
     pub median_depth: Vec<f32>,
 }
 
@@ -34,6 +34,9 @@ pub fn to_bytes(color: &[[f32; 3]], alpha: &[f32]) -> Vec<[u8; 4]> {
     color.par_iter().zip(alpha.par_iter()).map(|(c, a)| [byte(c[0]), byte(c[1]), byte(c[2]), byte(*a)]).collect()
 }
 
+/// The transmittance at which half the light is stopped.
+pub const MEDIAN: f32 = 0.5;
+
 /// Draws one set of Gaussians from many cameras: what does not depend on the camera is kept from picture to picture.
 pub struct Drawer {
     gaussians: Arc<Packed>,
@@ -41,6 +44,8 @@ pub struct Drawer {
     depths: Vec<TileDepth>,
     /// False leaves a picture's depths empty.
     pub depth: bool,
+    /// The transmittance at whose passing `median_depth` is taken: ½, or more, for a surface nearer to the eye.
+    pub passing: f32,
 }
 
 impl Drawer {
@@ -49,7 +54,7 @@ impl Drawer {
     }
 
     fn of(gaussians: Arc<Packed>) -> Self {
-        Drawer { gaussians, raster: Raster::default(), depths: Vec::new(), depth: true }
+        Drawer { gaussians, raster: Raster::default(), depths: Vec::new(), depth: true, passing: MEDIAN }
     }
 
     /// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
@@ -68,7 +73,7 @@ impl Drawer {
 
     fn draw(&mut self, view: &View, background: [f32; 3], depth: bool) -> Frame {
         self.raster.bins.build(&self.gaussians, view, 3);
-        self.raster.forward(view, depth.then_some(&mut self.depths));
+        self.raster.forward(view, depth.then_some((&mut self.depths, self.passing)));
         self.raster.frame(view, background, depth.then_some(self.depths.as_slice()))
     }
 }
@@ -77,18 +82,26 @@ impl Drawer {
 pub struct Drawers {
     gaussians: Arc<Packed>,
     idle: Mutex<Vec<Drawer>>,
+    /// See [`Drawer::passing`].
+    pub passing: f32,
 }
 
 impl Drawers {
     pub fn new(g: &Gaussians) -> Self {
-        Drawers { gaussians: Arc::new(Packed::pack(g)), idle: Mutex::default() }
+        Drawers::passing(g, MEDIAN)
+    }
+
+    /// Their depths where the transmittance passes `passing`; see [`Drawer::passing`].
+    pub fn passing(g: &Gaussians, passing: f32) -> Self {
+        Drawers { gaussians: Arc::new(Packed::pack(g)), idle: Mutex::default(), passing }
     }
 
     /// As [`Drawer::render`].
     pub fn render(&self, camera: &Camera, background: [f32; 3]) -> Frame {
         let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         let free = idle().pop();
-        let mut drawer = free.unwrap_or_else(|| Drawer::of(self.gaussians.clone()));
+        let new = || Drawer { passing: self.passing, ..Drawer::of(self.gaussians.clone()) };
+        let mut drawer = free.unwrap_or_else(new);
         let frame = drawer.render(camera, background);
         idle().push(drawer);
         frame
@@ -129,11 +142,11 @@ pub(crate) struct Raster {
 
 impl Raster {
     /// Draws what [`Bins::build`] sorted.
-    pub fn forward(&mut self, view: &View, mut depths: Option<&mut Vec<TileDepth>>) {
+    pub fn forward(&mut self, view: &View, mut depths: Option<(&mut Vec<TileDepth>, f32)>) {
         debug_assert_eq!(view.width.div_ceil(TILE), self.bins.tiles_x);
         let count = self.bins.tiles_x * self.bins.tiles_y;
         self.tiles.resize(count, TilePixels::default());
-        if let Some(depths) = &mut depths {
+        if let Some((depths, _)) = &mut depths {
             depths.resize(count, TileDepth::default());
         }
         let bands = self.bins.bands();
@@ -141,7 +154,8 @@ impl Raster {
             if bands > 1 {
                 self.bins.place(band);
             }
-            self.forward_band(self.bins.band(band), depths.as_deref_mut());
+            let depths = depths.as_mut().map(|(depths, passing)| (depths.as_mut_slice(), *passing));
+            self.forward_band(self.bins.band(band), depths);
         }
         if bands > 1 {
             self.bins.mark();
@@ -149,9 +163,9 @@ impl Raster {
     }
 
     /// Draws the tiles of a band whose lists are there.
-    fn forward_band(&mut self, band: Range<usize>, depths: Option<&mut Vec<TileDepth>>) {
+    fn forward_band(&mut self, band: Range<usize>, depths: Option<(&mut [TileDepth], f32)>) {
         let bins = &self.bins;
-        let one = |t: usize, pixels: &mut TilePixels, depth: Option<&mut TileDepth>| {
+        let one = |t: usize, pixels: &mut TilePixels, depth: Option<(&mut TileDepth, f32)>| {
             let list = &bins.list[bins.starts[t] as usize..bins.starts[t + 1] as usize];
             let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
             dispatch(Forward { splats: &bins.splats, list, x0, y0, pixels, depth });
@@ -160,9 +174,9 @@ impl Raster {
         let tiles = &mut self.tiles[band.clone()];
         match depths {
             None => tiles.par_iter_mut().enumerate().for_each(|(t, p)| one(first + t, p, None)),
-            Some(depths) => {
+            Some((depths, passing)) => {
                 let pairs = tiles.par_iter_mut().zip(depths[band].par_iter_mut());
-                pairs.enumerate().for_each(|(t, (p, d))| one(first + t, p, Some(d)));
+                pairs.enumerate().for_each(|(t, (p, d))| one(first + t, p, Some((d, passing))));
             }
         }
     }

@@ -26,7 +26,7 @@ impl Default for TilePixels {
     }
 }
 
-/// Σ w·z and the depth where the transmittance passes ½.
+/// Σ w·z and the depth where the transmittance passes what [`Forward`] is told: ½ for the median.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct TileDepth {
@@ -66,7 +66,8 @@ pub struct Forward<'a> {
     pub x0: usize,
     pub y0: usize,
     pub pixels: &'a mut TilePixels,
-    pub depth: Option<&'a mut TileDepth>,
+    /// With the transmittance at whose passing the median is taken.
+    pub depth: Option<(&'a mut TileDepth, f32)>,
 }
 
 impl Kernel for Forward<'_> {
@@ -77,12 +78,13 @@ impl Kernel for Forward<'_> {
         self.pixels.color.iter_mut().for_each(|c| c.fill(0.0));
         match self.depth {
             None => {
-                draw::<S, false>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, &mut TileDepth::default())
+                let none = (&mut TileDepth::default(), 0.0);
+                draw::<S, false>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, none)
             }
-            Some(depth) => {
+            Some((depth, passing)) => {
                 depth.expected.fill(0.0);
                 depth.median.fill(0.0);
-                draw::<S, true>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, depth)
+                draw::<S, true>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, (depth, passing))
             }
         }
     }
@@ -95,14 +97,14 @@ fn draw<S: Simd, const DEPTH: bool>(
     list: &[u32],
     (x0, y0): (usize, usize),
     pixels: &mut TilePixels,
-    depth: &mut TileDepth,
+    (depth, passing): (&mut TileDepth, f32),
 ) {
     let mut lanes = [0.0f32; TILE];
     for (i, x) in lanes.iter_mut().enumerate() {
         *x = (x0 + i) as f32 + 0.5;
     }
     let (threshold, zero) = (s.splat(threshold()), s.splat(0.0));
-    let (most, least, half) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE), s.splat(0.5));
+    let (most, least, passing) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE), s.splat(passing));
     let TilePixels { transmittance, color: [red, green, blue], used } = pixels;
     *used = list.len();
     for (i, rank) in list.iter().enumerate() {
@@ -142,7 +144,7 @@ fn draw<S: Simd, const DEPTH: bool>(
                 s.store(s.fma(w, b, s.load(&blue[at..])), &mut blue[at..]);
                 if DEPTH {
                     s.store(s.fma(w, z, s.load(&depth.expected[at..])), &mut depth.expected[at..]);
-                    let passes = s.and(s.and(go, s.gt(t, half)), s.ge(half, next));
+                    let passes = s.and(s.and(go, s.gt(t, passing)), s.ge(passing, next));
                     s.store(s.select(passes, z, s.load(&depth.median[at..])), &mut depth.median[at..]);
                 }
             }

@@ -6,7 +6,7 @@ use super::binning::TILE;
 use super::projection::{Shown, View, backward};
 use super::raster_backward::TileLoss;
 use super::reference::{Pose, parameters, render as reference, render_shown};
-use super::{Raster, render};
+use super::{Drawers, MEDIAN, Raster, render};
 use crate::splat::packed::Packed;
 use crate::splat::train::random::Random;
 use crate::splat::{Camera, Gaussians};
@@ -66,6 +66,24 @@ fn pictures_match_the_reference() {
         compare(&scene(n, size, seed), &camera(93, 70));
         compare(&scene(n, size, seed + 10), &camera(64, 64));
     }
+}
+
+#[test]
+fn a_surface_may_be_met_before_half_the_light_is_stopped() {
+    let mut g = scene(2, 0.2, 5);
+    let c = camera(64, 64);
+    let ray = c.rotation.transpose() * Vec3::new((32.5 - c.cx) / c.fx, (32.5 - c.cy) / c.fy, 1.0).normalize();
+    g.positions = vec![c.position() + 2.0 * ray, c.position() + 3.0 * ray];
+    g.logit_opacities = vec![(0.4f32 / 0.6).ln(); 2];
+    let at = |passing: f32| Drawers::passing(&g, passing).render(&c, [0.0; 3]).median_depth[32 * 64 + 32];
+    let along = (c.rotation * ray).z;
+    assert!(
+        (at(MEDIAN) - 3.0 * along).abs() < 1e-3 && (at(0.7) - 2.0 * along).abs() < 1e-3,
+        "{} {}",
+        at(MEDIAN),
+        at(0.7)
+    );
+    assert_eq!(at(0.3), 0.0);
 }
 
 #[test]
@@ -251,7 +269,7 @@ fn bands_do_not_change_a_byte() {
     let run = |most: u64| {
         let (mut raster, mut depths) = (Raster::default(), Vec::new());
         raster.bins.build_within(&packed, &view, 3, most);
-        raster.forward(&view, Some(&mut depths));
+        raster.forward(&view, Some((&mut depths, MEDIAN)));
         let touched: Vec<bool> = raster.bins.starts.windows(2).map(|w| w[0] < w[1]).collect();
         let mut loss = vec![TileLoss::default(); raster.tiles.len()];
         let all = loss.iter_mut().flat_map(|t| t.color.iter_mut().flatten().chain(&mut t.transmittance));
