@@ -206,9 +206,8 @@ fn both_signers_are_named() {
         let out = dir.path().join(name);
         let photo = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/smart_car.jpg");
         let args = ["geo", photo.to_str().unwrap(), "--origin", "34.55,-118.47,740", "--iterations", "1"];
-        let small = ["--lods", "1", "--triangles", "1000", "--texture", "256"];
         let rest = ["--format", "ply", "--key", key.to_str().unwrap(), "-o", out.to_str().unwrap()];
-        let done = orb(&data, &[&args[..], &small, &rest, more].concat());
+        let done = orb(&data, &[&args[..], &crate::SMALL, &rest, more].concat());
         assert!(done.status.success(), "{}", said(&done));
         done
     };

@@ -38,3 +38,6 @@ mod served;
 mod sets;
 #[cfg(feature = "view")]
 mod viewed;
+
+/// A small model: where it is put, who signs it and what networks it takes do not depend on how fine it is.
+const SMALL: [&str; 6] = ["--lods", "1", "--triangles", "1000", "--texture", "256"];

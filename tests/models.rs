@@ -53,9 +53,6 @@ fn ends(out: &Output, code: i32, words: &[&str]) {
     }
 }
 
-/// What networks a run takes does not depend on how fine its model is.
-const SMALL: [&str; 6] = ["--lods", "1", "--triangles", "1000", "--texture", "256"];
-
 const TRUST: [&str; 2] = ["--allow-unpinned", "--accept-licence"];
 
 #[test]
@@ -97,7 +94,7 @@ fn a_metric_depth_network_gives_the_scale() {
     let args = ["geo", "--origin", "1,2,3", "--iterations", "2", "--engine", "rten", "--format", "ply", "--json"];
     let run = |more: &[&str]| -> Value {
         let done = m.orb(
-            &[&args[..], &SMALL, &["--replace", "-o", out.to_str().unwrap()], more].concat(),
+            &[&args[..], &crate::SMALL, &["--replace", "-o", out.to_str().unwrap()], more].concat(),
             std::slice::from_ref(&photo),
         );
         assert!(done.status.success(), "{}", text(&done));
@@ -223,7 +220,7 @@ fn a_mask_of_ones_own_takes_the_networks_place() {
     let mask = root().join("tests/data/container_mask.png");
     let mut args = vec!["geo", "--origin", "1,2,3", "--iterations", "4", "-o", out.to_str().unwrap(), "--mask"];
     args.push(mask.to_str().unwrap());
-    args.extend(SMALL);
+    args.extend(crate::SMALL);
     ends(&m.orb(&args, std::slice::from_ref(&photo)), 0, &["mask from a file"]);
     ends(&m.orb(&["audit", "show"], std::slice::from_ref(&out)), 0, &["container_mask.png"]);
 }
@@ -277,7 +274,7 @@ fn six_views_that_a_network_draws_badly_are_refused() {
     let (photo, out) = (root().join("tests/data/container.jpg"), m.path("out"));
     let run = |more: &[&str]| {
         let args = ["geo", "--origin", "1,2,3", "--iterations", "4", "--engine", "rten", "-o"];
-        m.orb(&[&args[..], &[out.to_str().unwrap()], &SMALL, more].concat(), std::slice::from_ref(&photo))
+        m.orb(&[&args[..], &[out.to_str().unwrap()], &crate::SMALL, more].concat(), std::slice::from_ref(&photo))
     };
     // On the CPU it is used only when it is named. The stubs draw no subject, and that is noticed.
     let done = run(&["--networks", "zero123pp-v1.2", "--diffusion-steps", "2"]);

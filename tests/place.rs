@@ -13,9 +13,6 @@ fn data() -> &'static Path {
     DATA.get_or_init(|| tempfile::tempdir().unwrap()).path()
 }
 
-/// Where a model is put does not depend on how fine it is.
-const SMALL: [&str; 6] = ["--lods", "1", "--triangles", "1000", "--texture", "256"];
-
 fn orb(args: &[&str]) -> Command {
     let mut c = Command::new(env!("CARGO_BIN_EXE_orb"));
     c.args(args).env("ORB_DATA_DIR", data());
@@ -84,7 +81,7 @@ fn run(photo: &Path, args: &[&str]) -> (serde_json::Value, PathBuf) {
     let out = photo.with_file_name("out");
     let done =
         orb(&["geo", "--iterations", "2", "--format", "ply", "--json", "--replace", "-o", out.to_str().unwrap()])
-            .args(SMALL)
+            .args(crate::SMALL)
             .arg(photo)
             .args(args)
             .output()
@@ -276,7 +273,7 @@ fn a_batch_goes_on_past_bad_lines_and_can_be_resumed() {
     let batch = || {
         let run = orb(&["geo", "--iterations", "2", "-o", out.to_str().unwrap(), "--manifest"])
             .arg(&manifest)
-            .args(SMALL)
+            .args(crate::SMALL)
             .output();
         run.unwrap()
     };
