@@ -220,7 +220,7 @@ fn meshed(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Model> {
-    let drawers = splat::render::Drawers::passing(gaussians, mesh::FIRM);
+    let drawers = splat::render::Drawers::with_surface(gaussians, mesh::FIRM);
     let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, GREY);
     let options = mesh::Options {
         levels: settings.levels,
@@ -236,7 +236,7 @@ fn meshed(
 /// Expected errors of Gaussians on the model.
 fn expected_texture(g: &Gaussians, errors: &[f32], finest: &Level, progress: &dyn Progress) -> Result<GrayImage> {
     progress.begin("expected error", 0);
-    let drawers = splat::render::Drawers::passing(&confidence::as_greys(g, errors), mesh::FIRM);
+    let drawers = splat::render::Drawers::with_surface(&confidence::as_greys(g, errors), mesh::FIRM);
     let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, [0.0; 3]);
     mesh::expected_error::texture(finest, &render, progress)
 }

@@ -216,7 +216,7 @@ pub fn surface(g: &Gaussians, options: mesh::Options, progress: &dyn Progress) -
         return Err(Error::usage("the scene").expected("splats around a body").found(format!("a radius of {radius}")));
     }
     let unit = g.transformed(Mat3::IDENTITY, 1.0 / radius, -centre / radius);
-    let drawers = splat::render::Drawers::passing(&unit, mesh::FIRM);
+    let drawers = splat::render::Drawers::with_surface(&unit, mesh::FIRM);
     drop(unit);
     let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, GREY);
     let options = mesh::Options { background: GREY, ..options };

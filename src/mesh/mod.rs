@@ -34,9 +34,10 @@ pub mod unwrap;
 #[cfg(test)]
 mod scenes;
 
+use crate::models::region::{dilated, eroded};
 use crate::progress::Progress;
 use crate::splat::Camera;
-use crate::splat::render::Drawers;
+use crate::splat::render::{Drawers, Frame, SurfaceDepth};
 use crate::{Error, Result};
 use glam::{Vec2, Vec3};
 use image::{GrayImage, RgbImage};
@@ -54,27 +55,34 @@ pub struct View {
     pub alpha: Vec<f32>,
     /// Camera z of the surface, where the transmittance passes `passing`; 0 where it does not.
     pub depth: Vec<f32>,
-    /// A ray meets a surface where no more than this share of its light goes on: [`MEDIAN`], or [`FIRM`].
+    /// A ray meets a surface where no more than this share of its light goes on: [`MEDIAN`], or [`FIRM`]'s.
     pub passing: f32,
 }
 
-/// For [`View::passing`]: the surface is where half the light would have been stopped if every Gaussian lay there twice.
+/// The surface is met where half the light would have been stopped if every Gaussian lay there twice, and is where half of it is
+/// stopped if that is near.
 ///
 /// What a network is unsure of it makes faint: a head that may look here or there is half there in either place, and where half
-/// the light is asked for, a ray goes on through the one that the photo shows to the neck behind.
-pub const FIRM: f32 = std::f32::consts::FRAC_1_SQRT_2;
+/// the light is asked for, a ray goes on through the one that the photo shows to the neck behind. What is sure is as thick as
+/// its median depths say. A twentieth of the subject's radius: with 0.05 the mean Chamfer distance of 18 objects is 1.114 %, with 0
+/// 1.137 %; at the median depths alone, without what is faint, 1.104 %.
+pub const FIRM: SurfaceDepth = SurfaceDepth { passing: std::f32::consts::FRAC_1_SQRT_2, settling: 0.05 };
+/// Pixels on all sides that a faint part has somewhere. Narrower ones are the soft rims of what is not faint.
+const BROAD: usize = 1;
 
 impl View {
-    /// What `drawers` show; they say what passes.
+    /// What `drawers` show; they say where surfaces are. Rims of what stops half the light, fainter than that, are left out.
     pub fn drawn(drawers: &Drawers, camera: &Camera, background: [f32; 3]) -> Self {
-        let frame = drawers.render(camera, background);
-        View {
-            camera: *camera,
-            color: frame.color,
-            alpha: frame.alpha,
-            depth: frame.median_depth,
-            passing: drawers.passing,
+        let Frame { width, height, color, alpha, median_depth: mut depth, .. } = drawers.render(camera, background);
+        let passing = drawers.surface.passing;
+        if passing > MEDIAN {
+            let faint = |i: usize| depth[i] > 0.0 && alpha[i] < 1.0 - MEDIAN;
+            let core = eroded(width, height, BROAD, faint);
+            let broad = dilated(width, height, BROAD, |i| core[i]);
+            let rim: Vec<usize> = (0..depth.len()).filter(|&i| faint(i) && !broad[i]).collect();
+            rim.into_iter().for_each(|i| depth[i] = 0.0);
         }
+        View { camera: *camera, color, alpha, depth, passing }
     }
 
     /// Share of light stopped, 0..1, scaled so that a surface is met from ½ on; 1 where the alpha is not finite.

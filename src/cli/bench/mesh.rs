@@ -231,7 +231,7 @@ fn seam_steps(level: &Level) -> Value {
 /// The level with nothing but the Gaussians' colours. Where the photo's own pixels are in the texture, the model shows what
 /// the Gaussians themselves show from the photo's side alone, and differs from their other pictures for that.
 fn own_colors(g: &Gaussians, level: &Level) -> Result<Level> {
-    let drawers = splat::render::Drawers::passing(g, mesh::FIRM);
+    let drawers = splat::render::Drawers::with_surface(g, mesh::FIRM);
     let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, [0.5; 3]);
     let options = mesh::Options { background: [0.5; 3], ..mesh::Options::default() };
     let baked = mesh::bake::bake(&level.mesh, level.texture.width(), &render, &[], &options, &Silent)?;

@@ -344,7 +344,7 @@ fn dots(points: impl Iterator<Item = Vec3>, size: f32) -> Gaussians {
 }
 
 fn drawn(g: &Gaussians) -> impl Fn(&Camera) -> View + Sync {
-    let drawers = Drawers::passing(g, FIRM);
+    let drawers = Drawers::with_surface(g, FIRM);
     move |camera| View::drawn(&drawers, camera, scenes::BACKGROUND)
 }
 
@@ -408,6 +408,24 @@ fn a_faint_part_is_there() {
     });
     let ball = 4.0 / 3.0 * std::f64::consts::PI * 0.3f64.powi(3);
     assert!(faint > 0.9 * ball && faint < 1.1 * solid, "{faint} of {ball}, {solid} where it is opaque");
+}
+
+#[test]
+fn a_soft_rim_is_no_surface_and_what_is_faint_throughout_is_one() {
+    let camera = crate::views::orbit(0.0, 10.0, crate::views::DISTANCE, 64);
+    let one = |opacity: f32, size: f32| {
+        let mut g = dots([Vec3::ZERO].into_iter(), size);
+        g.logit_opacities[0] = (opacity / (1.0 - opacity)).ln();
+        drawn(&g)(&camera)
+    };
+    let faint = |v: &View| -> Vec<usize> { (0..64 * 64).filter(|&i| (0.3..0.5).contains(&v.alpha[i])).collect() };
+    let (sure, unsure) = (one(0.99, 0.12), one(0.45, 0.25));
+    let rim = faint(&sure);
+    assert!(rim.len() > 20 && rim.iter().all(|&i| !sure.solid(i)), "{} pixels", rim.len());
+    assert!((0..64 * 64).filter(|&i| sure.alpha[i] > 0.51).all(|i| sure.solid(i)));
+    let all = faint(&unsure);
+    let met = all.iter().filter(|&&i| unsure.solid(i)).count();
+    assert!(all.len() > 40 && met * 10 > 8 * all.len(), "{met} of {}", all.len());
 }
 
 /// Minutes and gigabytes: `cargo test --release five_million -- --ignored`.

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::binning::{Bins, TILE};
 use super::projection::{Shown, SplatGradient, View};
 use super::raster_backward::{Backward, TileLoss};
-use super::raster_forward::{Forward, TileDepth, TilePixels};
+use super::raster_forward::{Forward, SurfaceDepth, TileDepth, TilePixels};
 use crate::splat::packed::Packed;
 use crate::splat::simd::dispatch;
 use crate::splat::{Camera, Gaussians};
@@ -24,7 +24,7 @@ pub struct Frame {
     pub alpha: Vec<f32>,
     /// Σ w·z / Σ w with z the Gaussians' camera-space depth; 0 where alpha < 1/255.
     pub depth: Vec<f32>,
-    /// z of the Gaussian at which the transmittance passes ½, or what [`Drawer::passing`] says; 0 where it does not.
+    /// z of the Gaussian at which the transmittance passes ½, or where [`Drawer::surface`] says; 0 where it does not.
     pub median_depth: Vec<f32>,
 }
 
@@ -34,9 +34,6 @@ pub fn to_bytes(color: &[[f32; 3]], alpha: &[f32]) -> Vec<[u8; 4]> {
     color.par_iter().zip(alpha.par_iter()).map(|(c, a)| [byte(c[0]), byte(c[1]), byte(c[2]), byte(*a)]).collect()
 }
 
-/// The transmittance at which half the light is stopped.
-pub const MEDIAN: f32 = 0.5;
-
 /// Draws one set of Gaussians from many cameras: what does not depend on the camera is kept from picture to picture.
 pub struct Drawer {
     gaussians: Arc<Packed>,
@@ -44,8 +41,8 @@ pub struct Drawer {
     depths: Vec<TileDepth>,
     /// False leaves a picture's depths empty.
     pub depth: bool,
-    /// The transmittance at whose passing `median_depth` is taken: ½, or more, for a surface nearer to the eye.
-    pub passing: f32,
+    /// Where `median_depth` is taken.
+    pub surface: SurfaceDepth,
 }
 
 impl Drawer {
@@ -54,7 +51,7 @@ impl Drawer {
     }
 
     fn of(gaussians: Arc<Packed>) -> Self {
-        Drawer { gaussians, raster: Raster::default(), depths: Vec::new(), depth: true, passing: MEDIAN }
+        Drawer { gaussians, raster: Raster::default(), depths: Vec::new(), depth: true, surface: SurfaceDepth::MEDIAN }
     }
 
     /// Renders with the full harmonics. A Gaussian that is not finite or lies behind the camera is left out.
@@ -73,7 +70,7 @@ impl Drawer {
 
     fn draw(&mut self, view: &View, background: [f32; 3], depth: bool) -> Frame {
         self.raster.bins.build(&self.gaussians, view, 3);
-        self.raster.forward(view, depth.then_some((&mut self.depths, self.passing)));
+        self.raster.forward(view, depth.then_some((&mut self.depths, self.surface)));
         self.raster.frame(view, background, depth.then_some(self.depths.as_slice()))
     }
 }
@@ -82,25 +79,25 @@ impl Drawer {
 pub struct Drawers {
     gaussians: Arc<Packed>,
     idle: Mutex<Vec<Drawer>>,
-    /// See [`Drawer::passing`].
-    pub passing: f32,
+    /// See [`Drawer::surface`].
+    pub surface: SurfaceDepth,
 }
 
 impl Drawers {
     pub fn new(g: &Gaussians) -> Self {
-        Drawers::passing(g, MEDIAN)
+        Drawers::with_surface(g, SurfaceDepth::MEDIAN)
     }
 
-    /// Their depths where the transmittance passes `passing`; see [`Drawer::passing`].
-    pub fn passing(g: &Gaussians, passing: f32) -> Self {
-        Drawers { gaussians: Arc::new(Packed::pack(g)), idle: Mutex::default(), passing }
+    /// See [`Drawer::surface`].
+    pub fn with_surface(g: &Gaussians, surface: SurfaceDepth) -> Self {
+        Drawers { gaussians: Arc::new(Packed::pack(g)), idle: Mutex::default(), surface }
     }
 
     /// As [`Drawer::render`].
     pub fn render(&self, camera: &Camera, background: [f32; 3]) -> Frame {
         let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         let free = idle().pop();
-        let new = || Drawer { passing: self.passing, ..Drawer::of(self.gaussians.clone()) };
+        let new = || Drawer { surface: self.surface, ..Drawer::of(self.gaussians.clone()) };
         let mut drawer = free.unwrap_or_else(new);
         let frame = drawer.render(camera, background);
         idle().push(drawer);
@@ -142,7 +139,7 @@ pub(crate) struct Raster {
 
 impl Raster {
     /// Draws what [`Bins::build`] sorted.
-    pub fn forward(&mut self, view: &View, mut depths: Option<(&mut Vec<TileDepth>, f32)>) {
+    pub fn forward(&mut self, view: &View, mut depths: Option<(&mut Vec<TileDepth>, SurfaceDepth)>) {
         debug_assert_eq!(view.width.div_ceil(TILE), self.bins.tiles_x);
         let count = self.bins.tiles_x * self.bins.tiles_y;
         self.tiles.resize(count, TilePixels::default());
@@ -154,7 +151,7 @@ impl Raster {
             if bands > 1 {
                 self.bins.place(band);
             }
-            let depths = depths.as_mut().map(|(depths, passing)| (depths.as_mut_slice(), *passing));
+            let depths = depths.as_mut().map(|(depths, surface)| (depths.as_mut_slice(), *surface));
             self.forward_band(self.bins.band(band), depths);
         }
         if bands > 1 {
@@ -163,9 +160,9 @@ impl Raster {
     }
 
     /// Draws the tiles of a band whose lists are there.
-    fn forward_band(&mut self, band: Range<usize>, depths: Option<(&mut [TileDepth], f32)>) {
+    fn forward_band(&mut self, band: Range<usize>, depths: Option<(&mut [TileDepth], SurfaceDepth)>) {
         let bins = &self.bins;
-        let one = |t: usize, pixels: &mut TilePixels, depth: Option<(&mut TileDepth, f32)>| {
+        let one = |t: usize, pixels: &mut TilePixels, depth: Option<(&mut TileDepth, SurfaceDepth)>| {
             let list = &bins.list[bins.starts[t] as usize..bins.starts[t + 1] as usize];
             let (x0, y0) = (t % bins.tiles_x * TILE, t / bins.tiles_x * TILE);
             dispatch(Forward { splats: &bins.splats, list, x0, y0, pixels, depth });
@@ -174,9 +171,9 @@ impl Raster {
         let tiles = &mut self.tiles[band.clone()];
         match depths {
             None => tiles.par_iter_mut().enumerate().for_each(|(t, p)| one(first + t, p, None)),
-            Some((depths, passing)) => {
+            Some((depths, surface)) => {
                 let pairs = tiles.par_iter_mut().zip(depths[band].par_iter_mut());
-                pairs.enumerate().for_each(|(t, (p, d))| one(first + t, p, Some((d, passing))));
+                pairs.enumerate().for_each(|(t, (p, d))| one(first + t, p, Some((d, surface))));
             }
         }
     }
@@ -256,7 +253,7 @@ impl Raster {
                         if alpha[at] >= 1.0 / 255.0 {
                             depth[at] = z.expected[i] / alpha[at];
                         }
-                        median[at] = z.median[i];
+                        median[at] = z.surface[i];
                     });
                 }
             };

@@ -17,5 +17,6 @@ pub(crate) mod tests;
 
 pub(crate) use cpu::Raster;
 use cpu::unit;
-pub use cpu::{Drawer, Drawers, Frame, MEDIAN, normals, render, to_bytes};
+pub use cpu::{Drawer, Drawers, Frame, normals, render, to_bytes};
 pub use projection::Shown;
+pub use raster_forward::{MEDIAN, SurfaceDepth};

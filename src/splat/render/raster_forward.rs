@@ -8,6 +8,23 @@ pub const PIXELS: usize = TILE * TILE;
 /// After this many splats a tile looks whether all its pixels are finished.
 const CHECK: usize = 16;
 
+/// The transmittance at which half the light is stopped.
+pub const MEDIAN: f32 = 0.5;
+
+/// Where along a ray the surface is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceDepth {
+    /// The transmittance at whose passing the ray meets it: ½, or more, for what stops less than half the light.
+    pub passing: f32,
+    /// Where the transmittance passes ½ no more than this further away, the surface is there: scene units along the camera's axis.
+    pub settling: f32,
+}
+
+impl SurfaceDepth {
+    /// The median depth.
+    pub const MEDIAN: SurfaceDepth = SurfaceDepth { passing: MEDIAN, settling: 0.0 };
+}
+
 /// One tile's pixels, row by row.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
@@ -26,17 +43,17 @@ impl Default for TilePixels {
     }
 }
 
-/// Σ w·z and the depth where the transmittance passes what [`Forward`] is told: ½ for the median.
+/// Σ w·z and the depth of the [`SurfaceDepth`] that [`Forward`] is told.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct TileDepth {
     pub expected: [f32; PIXELS],
-    pub median: [f32; PIXELS],
+    pub surface: [f32; PIXELS],
 }
 
 impl Default for TileDepth {
     fn default() -> Self {
-        TileDepth { expected: [0.0; PIXELS], median: [0.0; PIXELS] }
+        TileDepth { expected: [0.0; PIXELS], surface: [0.0; PIXELS] }
     }
 }
 
@@ -66,8 +83,7 @@ pub struct Forward<'a> {
     pub x0: usize,
     pub y0: usize,
     pub pixels: &'a mut TilePixels,
-    /// With the transmittance at whose passing the median is taken.
-    pub depth: Option<(&'a mut TileDepth, f32)>,
+    pub depth: Option<(&'a mut TileDepth, SurfaceDepth)>,
 }
 
 impl Kernel for Forward<'_> {
@@ -78,13 +94,13 @@ impl Kernel for Forward<'_> {
         self.pixels.color.iter_mut().for_each(|c| c.fill(0.0));
         match self.depth {
             None => {
-                let none = (&mut TileDepth::default(), 0.0);
+                let none = (&mut TileDepth::default(), SurfaceDepth::MEDIAN);
                 draw::<S, false>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, none)
             }
-            Some((depth, passing)) => {
+            Some((depth, surface)) => {
                 depth.expected.fill(0.0);
-                depth.median.fill(0.0);
-                draw::<S, true>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, (depth, passing))
+                depth.surface.fill(0.0);
+                draw::<S, true>(s, self.splats, self.list, (self.x0, self.y0), self.pixels, (depth, surface))
             }
         }
     }
@@ -97,14 +113,15 @@ fn draw<S: Simd, const DEPTH: bool>(
     list: &[u32],
     (x0, y0): (usize, usize),
     pixels: &mut TilePixels,
-    (depth, passing): (&mut TileDepth, f32),
+    (depth, surface): (&mut TileDepth, SurfaceDepth),
 ) {
     let mut lanes = [0.0f32; TILE];
     for (i, x) in lanes.iter_mut().enumerate() {
         *x = (x0 + i) as f32 + 0.5;
     }
     let (threshold, zero) = (s.splat(threshold()), s.splat(0.0));
-    let (most, least, passing) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE), s.splat(passing));
+    let (most, least) = (s.splat(MAX_ALPHA), s.splat(MIN_TRANSMITTANCE));
+    let (passing, half, settling) = (s.splat(surface.passing), s.splat(MEDIAN), s.splat(surface.settling));
     let TilePixels { transmittance, color: [red, green, blue], used } = pixels;
     *used = list.len();
     for (i, rank) in list.iter().enumerate() {
@@ -144,8 +161,10 @@ fn draw<S: Simd, const DEPTH: bool>(
                 s.store(s.fma(w, b, s.load(&blue[at..])), &mut blue[at..]);
                 if DEPTH {
                     s.store(s.fma(w, z, s.load(&depth.expected[at..])), &mut depth.expected[at..]);
-                    let passes = s.and(s.and(go, s.gt(t, passing)), s.ge(passing, next));
-                    s.store(s.select(passes, z, s.load(&depth.median[at..])), &mut depth.median[at..]);
+                    let passes = |least| s.and(s.and(go, s.gt(t, least)), s.ge(least, next));
+                    let met = s.select(passes(passing), z, s.load(&depth.surface[at..]));
+                    let settled = s.and(passes(half), s.ge(s.add(met, settling), z));
+                    s.store(s.select(settled, z, met), &mut depth.surface[at..]);
                 }
             }
         }

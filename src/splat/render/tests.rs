@@ -6,7 +6,7 @@ use super::binning::TILE;
 use super::projection::{Shown, View, backward};
 use super::raster_backward::TileLoss;
 use super::reference::{Pose, parameters, render as reference, render_shown};
-use super::{Drawers, MEDIAN, Raster, render};
+use super::{Drawers, MEDIAN, Raster, SurfaceDepth, render};
 use crate::splat::packed::Packed;
 use crate::splat::train::random::Random;
 use crate::splat::{Camera, Gaussians};
@@ -75,15 +75,16 @@ fn a_surface_may_be_met_before_half_the_light_is_stopped() {
     let ray = c.rotation.transpose() * Vec3::new((32.5 - c.cx) / c.fx, (32.5 - c.cy) / c.fy, 1.0).normalize();
     g.positions = vec![c.position() + 2.0 * ray, c.position() + 3.0 * ray];
     g.logit_opacities = vec![(0.4f32 / 0.6).ln(); 2];
-    let at = |passing: f32| Drawers::passing(&g, passing).render(&c, [0.0; 3]).median_depth[32 * 64 + 32];
     let along = (c.rotation * ray).z;
-    assert!(
-        (at(MEDIAN) - 3.0 * along).abs() < 1e-3 && (at(0.7) - 2.0 * along).abs() < 1e-3,
-        "{} {}",
-        at(MEDIAN),
-        at(0.7)
-    );
-    assert_eq!(at(0.3), 0.0);
+    let at = |passing, settling| {
+        let drawers = Drawers::with_surface(&g, SurfaceDepth { passing, settling });
+        drawers.render(&c, [0.0; 3]).median_depth[32 * 64 + 32] / along
+    };
+    let (half, more, neither) = (at(MEDIAN, 0.0), at(0.7, 0.9), at(0.3, 0.0));
+    assert!((half - 3.0).abs() < 1e-3 && (more - 2.0).abs() < 1e-3 && neither == 0.0, "{half} {more} {neither}");
+    // Where half the light is stopped not far behind, the surface is there.
+    let near = at(0.7, 1.1);
+    assert!((near - 3.0).abs() < 1e-3, "{near}");
 }
 
 #[test]
@@ -269,7 +270,7 @@ fn bands_do_not_change_a_byte() {
     let run = |most: u64| {
         let (mut raster, mut depths) = (Raster::default(), Vec::new());
         raster.bins.build_within(&packed, &view, 3, most);
-        raster.forward(&view, Some((&mut depths, MEDIAN)));
+        raster.forward(&view, Some((&mut depths, SurfaceDepth::MEDIAN)));
         let touched: Vec<bool> = raster.bins.starts.windows(2).map(|w| w[0] < w[1]).collect();
         let mut loss = vec![TileLoss::default(); raster.tiles.len()];
         let all = loss.iter_mut().flat_map(|t| t.color.iter_mut().flatten().chain(&mut t.transmittance));
@@ -277,7 +278,7 @@ fn bands_do_not_change_a_byte() {
         raster.backward(&loss);
         let gradients: Vec<_> = (0..g.len()).map(|i| raster.gradient_of(i)).collect();
         let tiles: Vec<_> = raster.tiles.iter().map(|t| (t.transmittance, t.color, t.used)).collect();
-        let depths: Vec<_> = depths.iter().map(|d| (d.expected, d.median)).collect();
+        let depths: Vec<_> = depths.iter().map(|d| (d.expected, d.surface)).collect();
         (raster.bins.bands(), raster.bins.list.len(), (tiles, depths, touched, gradients))
     };
     let (bands, pairs, whole) = run(u64::MAX);
