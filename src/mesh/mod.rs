@@ -53,7 +53,7 @@ pub struct View {
     pub color: Vec<[f32; 3]>,
     /// Share of light stopped, 0..1.
     pub alpha: Vec<f32>,
-    /// Camera z of the surface, where the transmittance passes `passing`; 0 where it does not.
+    /// Camera z of the surface; 0 where the ray meets none.
     pub depth: Vec<f32>,
     /// A ray meets a surface where no more than this share of its light goes on: [`MEDIAN`], or [`FIRM`]'s.
     pub passing: f32,
@@ -64,8 +64,7 @@ pub struct View {
 ///
 /// What a network is unsure of it makes faint: a head that may look here or there is half there in either place, and where half
 /// the light is asked for, a ray goes on through the one that the photo shows to the neck behind. What is sure is as thick as
-/// its median depths say. A twentieth of the subject's radius: with 0.05 the mean Chamfer distance of 18 objects is 1.114 %, with 0
-/// 1.137 %; at the median depths alone, without what is faint, 1.104 %.
+/// its median depths say: those within a twentieth of the subject's radius (measured in `docs/model.md`, Surface).
 pub const FIRM: SurfaceDepth = SurfaceDepth { passing: std::f32::consts::FRAC_1_SQRT_2, settling: 0.05 };
 /// Pixels on all sides that a faint part has somewhere. Narrower ones are the soft rims of what is not faint.
 const BROAD: usize = 1;
