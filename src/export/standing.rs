@@ -5,6 +5,7 @@ use glam::{DVec3, Mat3, Vec3};
 use super::{OnEarth, PlacedLevel, import};
 use crate::geo::{HeadingSource, Placement};
 use crate::mesh;
+use crate::mesh::smooth::turn_out;
 use crate::pipeline::scene::bodies::Body;
 use crate::pipeline::scene::ground::Surface;
 use crate::progress::Progress;
@@ -67,10 +68,12 @@ fn stand(mesh: &mut orb_formats::Mesh, middle: [f64; 2]) {
     for p in &mut mesh.positions {
         *p = [p[0] - middle[0], p[1] - middle[1], ((p[2] - low[2]) * by).max(0.0)];
     }
-    for n in &mut mesh.normals {
-        let turned = Vec3::new(n[0], n[1], n[2] / by as f32).normalize_or(Vec3::from_array(*n));
-        *n = turned.to_array();
-    }
+    let turned = |n: &[f32; 3]| Vec3::new(n[0], n[1], n[2] / by as f32).normalize_or(Vec3::from_array(*n));
+    let mut normals: Vec<Vec3> = mesh.normals.iter().map(turned).collect();
+    // What lies along a triangle's normal by little may lie against it once each corner's is turned and of length 1 again.
+    let positions: Vec<Vec3> = mesh.positions.iter().map(|p| DVec3::from_array(*p).as_vec3()).collect();
+    turn_out(&positions, &mesh.triangles, &mut normals);
+    mesh.normals = normals.iter().map(Vec3::to_array).collect();
 }
 
 #[cfg(test)]
@@ -94,5 +97,21 @@ mod tests {
             assert!(n.dot(along).abs() < 1e-6 && (n.length() - 1.0).abs() < 1e-6, "{n}");
             assert_eq!(mesh.normals[1..], [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
         }
+    }
+
+    #[test]
+    fn a_triangle_faces_as_its_corners_do_when_pushed_together() {
+        let mut mesh = orb_formats::Mesh {
+            positions: vec![[3.0, 5.0, -12.0], [4.0, 5.0, -12.0], [3.0, 5.0, 4.0]],
+            normals: [[0.0, -0.2, 0.98], [0.0, -0.2, 0.98], [0.0, 0.39, -0.92]]
+                .map(|n| Vec3::from_array(n).normalize().to_array())
+                .to_vec(),
+            uvs: Vec::new(),
+            triangles: vec![[0, 1, 2]],
+        };
+        let along = |m: &orb_formats::Mesh| -m.normals.iter().map(|n| n[1]).sum::<f32>();
+        assert!(along(&mesh) > 0.0);
+        stand(&mut mesh, [3.5, 5.0]);
+        assert!(along(&mesh) > 0.0, "{:?}", mesh.normals);
     }
 }

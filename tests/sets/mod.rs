@@ -35,8 +35,9 @@ impl Bench {
     }
     pub fn good(&self, args: &[&str]) -> String {
         let o = self.orb(args);
-        assert!(o.status.success(), "{args:?}: {}", String::from_utf8_lossy(&o.stderr));
-        String::from_utf8_lossy(&o.stdout).into_owned()
+        let said = String::from_utf8_lossy(&o.stdout).into_owned();
+        assert!(o.status.success(), "{args:?}: {said}{}", String::from_utf8_lossy(&o.stderr));
+        said
     }
     pub fn refused(&self, args: &[&str]) -> String {
         let o = self.orb(args);
