@@ -28,6 +28,7 @@ from synth.cameras import inverses, look_at, orbit
 
 PHOTO = 512  # pixels; photos are read at this size
 FROM_THE_AIR = 0.7  # radians; SceneNet learned up to 54 degrees
+FROM_BELOW = -0.25  # radians; of what looks up further SceneNet never saw a photo
 FILL = 0.88  # of the crop, by the longer side of the subject's bounding box
 DEVICE = "cuda" if torch.cuda.is_available() else "cpu"
 HERE = Path(__file__).parent
@@ -70,8 +71,8 @@ def look(net, photo):
 
 def joined(scene, splat):
     """One elevation (radians) of what SceneNet [m, 2] and SplatNet, which was told, [1, 2] say of it: means weighed by their precision;
-    from the air SplatNet's alone, as the program has it."""
-    if splat[0, 0] > FROM_THE_AIR:
+    from the air and from below SplatNet's alone, as the program has it."""
+    if not FROM_BELOW < splat[0, 0] < FROM_THE_AIR:
         return splat[0, 0]
     rows = torch.stack([torch.stack([scene[:, 0].mean(), scene[:, 1].mean()]), splat[0]])
     weight = 1 / rows[:, 1] ** 2

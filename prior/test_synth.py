@@ -124,6 +124,31 @@ def test_three_photos_in_twenty_are_taken_from_the_air():
     assert abs((down > math.sin(1.0)).float().mean().item() - 0.1) < 0.02
 
 
+def test_half_of_what_flies_is_photographed_from_below():
+    torch = pytest.importorskip("torch")
+    from synth.batches import BELOW, LOWEST, elevations, hints, lowered, truth_cameras
+
+    torch.manual_seed(0)
+    level = torch.zeros(20000)
+    flies = torch.arange(20000) % 2 == 0
+    angles = lowered(level, flies)
+    assert angles.min() >= LOWEST and ((angles == 0) | (angles < BELOW)).all()
+    assert abs((angles < 0)[flies].float().mean().item() - 0.5) < 0.02
+    assert abs((angles < 0)[~flies].float().mean().item() - 0.03) < 0.01
+    assert elevations(level).min() >= -0.3
+
+    low = torch.full((4000,), -0.9)
+    rotation, _ = truth_cameras(torch.zeros(4000), low, 3.9, 4)
+    upward = torch.asin(rotation[:, :, 2, 2].clamp(-1, 1))
+    assert torch.allclose(upward[:, 0], -low, atol=1e-3)
+    assert upward[:, 1].min() > 0.39 and upward[:, 1].max() < 1.41
+    assert upward[:, 2:].max() < 0.26
+    mean, spread = hints(low).unbind(1)
+    told = spread > 0.055
+    # What it never saw it takes for something else.
+    assert mean[told].median() > -0.5
+
+
 def test_hints_tell_of_elevations_what_their_spread_says():
     torch = pytest.importorskip("torch")
     from synth.batches import hints

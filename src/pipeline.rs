@@ -3,8 +3,8 @@
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
 pub mod confidence;
-mod gimbal;
 mod optimise;
+mod pitch;
 pub mod scene;
 pub mod settled;
 pub mod several;
@@ -49,6 +49,8 @@ pub struct Settings {
     /// The optimisation ends early past this point, and says so.
     pub deadline: Option<Instant>,
     pub seed: u64,
+    /// How far the camera looked up, degrees above the horizon, where somebody says it.
+    pub pitch: Option<f64>,
     pub symmetry: Use,
     /// 1 to 4.
     pub levels: usize,
@@ -272,11 +274,9 @@ pub fn fit(
     };
     let (subject, splat) = rayon::join(|| looked.subject(), next);
     let mut subject = subject?;
-    if let Some(measured) =
-        gimbal::elevation(&photo.exif, photo.pixels.dimensions(), splat_prior::crop_around(&subject))
-    {
-        subject.elevation = measured;
-    }
+    let crop = splat_prior::crop_around(&subject);
+    let known = pitch::elevation(settings.pitch, &photo.exif, photo.pixels.dimensions(), crop);
+    subject.elevation = known.unwrap_or(subject.elevation);
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
@@ -289,6 +289,8 @@ pub fn fit(
     progress.begin("3D from one view", 0);
     let splat = splat.unwrap_or_else(|| prior::SPLAT.loaded(engine))?;
     let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*splat)?;
+    // The network has heard of it: its own answer is no second opinion.
+    one_view.seen_from = known.unwrap_or(one_view.seen_from);
     drop(splat);
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
     if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {

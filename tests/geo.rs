@@ -234,6 +234,7 @@ fn refuses_wrong_arguments() {
         (["--origin", "91,0,0"], "latitude"),
         (["--origin", "NaN,0,0"], "NaN"),
         (["--heading", "inf"], "--heading"),
+        (["--pitch", "91"], "--pitch"),
         (["--height", "-2"], "--height"),
         (["--facc", "nothing"], "--facc"),
         (["--format", "step"], "step"),

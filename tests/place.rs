@@ -165,6 +165,10 @@ fn a_drone_knows_more() {
     let handheld = photo(dir.path(), &fix(), None);
     let (_, folder) = run(&handheld, &["--heading", "270"]);
     assert!(told > elevation(&folder) + 3.0, "{told}, {}", elevation(&folder));
+    // As a word of the user's does.
+    let (_, folder) = run(&handheld, &["--heading", "270", "--pitch", "-30"]);
+    assert!((told - elevation(&folder)).abs() < 0.02, "{told}, {}", elevation(&folder));
+    assert_eq!(recorded(&folder)["pitch_given_deg"], "-30");
 }
 
 #[test]

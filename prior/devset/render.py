@@ -1,12 +1,13 @@
 """Render the development set: photos, masks and truth views of artist-made models, with their cameras.
 
-    python render.py SRC_DIR OUT_DIR [NAME ...] [--preview] [--above SET_DIR]
+    python render.py SRC_DIR OUT_DIR [NAME ...] [--preview] [--above SET_DIR | --below SET_DIR]
 
 OUT_DIR/NAME/ gets photo_plain.jpg, photo_outdoor.jpg, mask.png (512 x 512), gt/00.png .. 23.png (RGBA, 256 x 256, not
 premultiplied), mesh.glb (metres, Y up) and cameras.json as ../evaluate.py reads it. Path tracing by Mitsuba 3 on the
 CPU; the same name gives the same picture. --preview draws only a small sheet of every object. --above takes the photos
 as a drone would, from 50 to 88 degrees above the horizon, in the light that the truth views of SET_DIR have, which is a
-set as this program makes it without --above; those views and the mesh are copied from there.
+set as this program makes it without --above; those views and the mesh are copied from there. --below does the same from 22
+to 60 degrees below: the subject is in the air, with nothing but the sky, or one grey, behind it, and sunny ground far below.
 """
 
 import argparse
@@ -31,7 +32,8 @@ from PIL import Image
 HERE = Path(__file__).parent
 PHOTO, TRUTH = 512, 256
 PHOTO_SAMPLES, TRUTH_SAMPLES, MASK_SAMPLES = 64, 24, 16
-ABOVE = 50, 88  # degrees
+# Elevations of --above and --below, degrees.
+ABOVE, BELOW = (50, 88), (-60, -22)
 
 
 def camera(centre, azimuth, elevation, distance, fov, size):
@@ -117,7 +119,8 @@ def write_mesh(parts, path):
     path.write_bytes(scene.export(file_type="glb"))
 
 
-def render_object(name, about, src, out, level_set=None):
+def render_object(name, about, src, out, level_set=None, span=ABOVE):
+    """`level_set`: photos from an elevation of `span`, degrees, truth views from there."""
     parts, size = read_object(name, about, src)
     radius, centre = float(np.linalg.norm(size) / 2), np.array([0, 0, size[2] / 2])
     rng = np.random.default_rng(int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "little"))
@@ -128,7 +131,7 @@ def render_object(name, about, src, out, level_set=None):
     world = level
     if level_set:
         digest = hashlib.sha256(name.encode()).digest()[4:8]
-        steep = float(np.random.default_rng(int.from_bytes(digest, "little")).uniform(*ABOVE))
+        steep = float(np.random.default_rng(int.from_bytes(digest, "little")).uniform(*span))
         world, entry = camera(centre, azimuth, steep, distance, fov, PHOTO)
     entry |= {"group": "photo", "azimuth_rel_photo_deg": 0}
     folder = out / name
@@ -141,7 +144,8 @@ def render_object(name, about, src, out, level_set=None):
     level_mask = picture(opaque, level_eye, MASK_SAMPLES, 1)[1] if level_set else mask
     del opaque
 
-    plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng))
+    depth = 2 * distance if span == BELOW else None
+    plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng, depth))
     linear, _ = picture(plain, eye, PHOTO_SAMPLES, 2)
     seen = picture(plain, level_eye, PHOTO_SAMPLES, 2)[0] if level_set else linear
     exposure = 0.9 / max(np.percentile(seen[level_mask > 0.9].max(1), 97), np.percentile(seen.max(-1), 85))
@@ -149,7 +153,7 @@ def render_object(name, about, src, out, level_set=None):
     Image.fromarray(srgb8(linear * exposure)).save(folder / "photo_plain.jpg", quality=93)
     del plain
 
-    outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src))
+    outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src, depth))
     linear, _ = picture(outdoor, eye, PHOTO_SAMPLES, 3)
     # As bright as in the plain photo, so that the truth views fit both; but no burnt surroundings.
     gain = min(subject / brightness(linear, mask), 0.65 / np.median(linear.max(-1)))
@@ -210,7 +214,10 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--preview", action="store_true")
     parser.add_argument("--above", type=Path, metavar="SET_DIR")
+    parser.add_argument("--below", type=Path, metavar="SET_DIR")
     args = parser.parse_args()
+    if args.above and args.below:
+        parser.error("--above or --below, not both")
     objects = json.loads((HERE / "objects.json").read_text())["objects"]
     objects = {n: objects[n] for n in args.names or objects}
     args.out.mkdir(parents=True, exist_ok=True)
@@ -219,7 +226,7 @@ def main():
         return
     for name, about in objects.items():
         start = time.time()
-        render_object(name, about, args.src, args.out, args.above)
+        render_object(name, about, args.src, args.out, args.above or args.below, BELOW if args.below else ABOVE)
         print(name, f"{time.time() - start:.0f} s", flush=True)
 
 

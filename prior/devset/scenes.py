@@ -107,15 +107,16 @@ def plane(to_world, reflectance):
     return {"type": "rectangle", "to_world": to_world, "bsdf": surface}
 
 
-def plain_scene(subject, radius, centre, photo_azimuth, side, rng):
-    """The subject on a floor before a wall of one colour, as in a studio."""
+def plain_scene(subject, radius, centre, photo_azimuth, side, rng, aloft=None):
+    """The subject on a floor before a wall of one colour, as in a studio; `aloft`: before one grey, nothing around it."""
     shade = rng.uniform(0.5, 0.85)
     colour = {"type": "rgb", "value": [float(shade * x) for x in rng.uniform(0.94, 1.0, 3)]}
     back = -direction(photo_azimuth, 0) * radius * 7
     wall = TRANSFORM().look_at(origin=back.tolist(), target=[0, 0, 0], up=[0, 0, 1]) @ TRANSFORM().scale(radius * 60)
     scene = base_scene(False, subject) | studio(radius, centre, photo_azimuth, side, 1.0)
-    scene["floor"] = plane(TRANSFORM().scale(radius * 60), colour)
-    scene["wall"] = plane(wall, colour)
+    if aloft is None:
+        scene["floor"] = plane(TRANSFORM().scale(radius * 60), colour)
+        scene["wall"] = plane(wall, colour)
     return scene | shapes(subject, "subject")
 
 
@@ -157,8 +158,9 @@ def clutter(src, rng, radius, photo_azimuth):
                 break
 
 
-def outdoor_scene(subject, radius, centre, photo_azimuth, rng, src):
-    """The subject on open ground under sun and sky, with houses, trees, cars or street furniture behind."""
+def outdoor_scene(subject, radius, centre, photo_azimuth, rng, src, aloft=None):
+    """The subject on open ground under sun and sky, with houses, trees, cars or street furniture behind; `aloft`: so many metres
+    above the ground, with nothing around it."""
     sun = direction(photo_azimuth + rng.uniform(25, 85) * rng.choice([-1, 1]), rng.uniform(28, 55))
     scene = base_scene(False, subject)
     sky = {"type": "sunsky", "sun_direction": sun.tolist(), "turbidity": float(rng.uniform(2.5, 5)), "sun_scale": 0.35}
@@ -167,7 +169,9 @@ def outdoor_scene(subject, radius, centre, photo_azimuth, rng, src):
     reach = 20000.0
     tile = float(np.clip(radius * 1.2, 1.0, 5.0))
     texture = bitmap(ground, False) | {"to_uv": TRANSFORM().scale([2 * reach / tile, 2 * reach / tile, 1])}
-    scene["floor"] = plane(TRANSFORM().scale(reach), texture)
+    scene["floor"] = plane(TRANSFORM().translate([0, 0, -(aloft or 0)]).scale(reach), texture)
+    if aloft is not None:
+        return scene | shapes(subject, "subject")
     for i, (parts, place) in enumerate(clutter(src, rng, radius, photo_azimuth)):
         scene |= shapes(parts, f"clutter{i}_", place)
     return scene | shapes(subject, "subject")

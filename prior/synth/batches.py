@@ -21,7 +21,7 @@ from .foliage import broadleaf, leafy
 from .layout import CENTRE_X, CENTRE_Y, FLOATS, FOCAL, PRIMS
 from .lens import bent, coarsened, defocused, exposed, stored
 from .masks import damaged, leaked
-from .objects import COMPANIONS, SLENDER, make_object
+from .objects import AIRBORNE, COMPANIONS, SLENDER, make_object
 from .raycast import cast
 from .textures import make_bank, textured
 from .water import above_water, flooded, waters
@@ -37,13 +37,18 @@ SEEN_THROUGH = 0.4
 GREY = 0.5
 # The most that cameras look down, radians: at straight down no side of the picture is towards the subject's front.
 STEEPEST = 1.55
+# The most that they look up, radians, and of how many of SplatNet's subjects: of those that fly, and of the others.
+LOWEST = -1.2
+FROM_BELOW = 0.5, 0.03
+# From here on down a camera looks from below, radians.
+BELOW = -0.25
 
 
 class Pool(NamedTuple):
     """Objects to draw from: prims [N, PRIMS, 36], counts [N] int32, grounds [N] (height of the ground).
 
     companions [M]: the indices of those that often stand near others; foliage [F]: of trees and bushes; slender [L]: of what
-    has thin or pierced parts.
+    has thin or pierced parts; airborne [A]: of what flies.
     textures [T, 3, S, S]: see `textures`.
     """
 
@@ -53,6 +58,7 @@ class Pool(NamedTuple):
     companions: torch.Tensor
     foliage: torch.Tensor
     slender: torch.Tensor
+    airborne: torch.Tensor
     textures: torch.Tensor
 
 
@@ -72,6 +78,7 @@ def make_pool(first_seed, count, processes, device="cuda", textures=384):
         companions=indices(lambda m: m.maker in COMPANIONS),
         foliage=indices(lambda m: m.maker in (leafy, broadleaf)),
         slender=indices(lambda m: m.maker in SLENDER),
+        airborne=indices(lambda m: m.maker in AIRBORNE),
         textures=make_bank(textures, device),
     )
 
@@ -92,20 +99,26 @@ def elevations(like):
     return torch.where(kind < 0.68, usual, torch.where(kind < 0.85, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
 
 
+def lowered(elevation, flies):
+    """The elevations [n] with some photos from below among them, many of what `flies` [n]."""
+    share = torch.where(flies, *FROM_BELOW)
+    return torch.where(uniform(elevation, 0, 1) < share, uniform(elevation, LOWEST, BELOW), elevation)
+
+
 def hints(elevation):
     """What is known beforehand of elevations [n], as `nets.SplatNet` reads it [n, 2]: mostly what SceneNet says of a whole photo,
     now and then what a gimbal measured, or nothing (0, 0).
 
     SceneNet tells steep views apart but not how steep they are, and takes three in ten of them for level ones; its errors are on the
-    whole less than it expects; and of some photos it says what any photo might have.
+    whole less than it expects; and of some photos it says what any photo might have. Of photos from below it never saw one.
     """
-    kind, steep = uniform(elevation, 0, 1), elevation > 0.6
+    kind, steep, low = uniform(elevation, 0, 1), elevation > 0.6, elevation < BELOW
     spread = torch.exp(uniform(elevation, math.log(0.06), math.log(0.2)))
     spread = torch.where(steep, spread.clamp(min=0.12), spread)
-    told = torch.where(steep, 0.6 + 0.35 * (elevation - 0.6), elevation)
+    told = torch.where(steep, 0.6 + 0.35 * (elevation - 0.6), torch.where(low, BELOW + 0.35 * (elevation - BELOW), elevation))
     told = told + laplace(elevation) * spread * uniform(elevation, 0.2, 1.1)
-    lost = (kind < 0.12) | steep & (uniform(elevation, 0, 1) < 0.3)
-    told = torch.where(lost, uniform(elevation, 0.05, 0.7), told)
+    lost = (kind < 0.12) | steep & (uniform(elevation, 0, 1) < 0.3) | low & (uniform(elevation, 0, 1) < 0.6)
+    told = torch.where(lost, torch.where(low, uniform(elevation, -0.2, 0.6), uniform(elevation, 0.05, 0.7)), told)
     exact = uniform(elevation, 0.02, 0.05)
     measured = (kind > 0.75) & (kind < 0.9)
     hint = torch.stack(
@@ -294,7 +307,7 @@ def splat_batch(pool, n, fov, distance, size=256, views=4):
     prims = recolour(pool.prims[chosen])
     counts = pool.counts[chosen]
     azimuth = uniform(chosen, 0, 6.283)
-    elevation = elevations(chosen)
+    elevation = lowered(elevations(chosen), torch.isin(chosen, pool.airborne))
     photo_fov = uniform(chosen, 0.2, 1.0)
     away = 1.02 / torch.sin(photo_fov / 2)
     rotation, translation = look_at(orbit(azimuth, elevation, away))
@@ -367,12 +380,15 @@ def crop_camera(cameras, away, size):
 
 
 def truth_cameras(azimuth, elevation, distance, views):
-    """The photo's own side, one near it, the others anywhere; rotation [n, V, 3, 3], translation [n, V, 3]."""
+    """The photo's own side, one near it, the others anywhere but from below; rotation [n, V, 3, 3], translation [n, V, 3].
+
+    Beside a photo from below the one near it is mostly from below, too."""
     around = [azimuth, azimuth + uniform(azimuth, -0.9, 0.9)]
     around += [uniform(azimuth, 0, 6.283) for _ in range(views - 2)]
     above = [elevation] + [
         torch.where(uniform(azimuth, 0, 1) < 0.9, uniform(azimuth, -0.25, 1.0), uniform(azimuth, 1.0, STEEPEST)) for _ in range(views - 1)
     ]
+    above[1] = torch.where(elevation < BELOW, (elevation + uniform(azimuth, -0.5, 0.5)).clamp(min=-STEEPEST), above[1])
     around = torch.stack(around, 1)
     return look_at(orbit(around, torch.stack(above, 1), torch.full_like(around, distance)))
 

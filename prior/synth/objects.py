@@ -262,6 +262,11 @@ SLENDER = {
     *(figure, person, quadruped, bird, seat, furniture, instrument, framework),
     *(assault_gun, concrete_mixer, sailing_boat, spacecraft),
 }
+# What flies, and so is photographed from below as well.
+AIRBORNE = {
+    *(plane, light_plane, jet, biplane, fixed_wing, warplane, unmanned, helicopter, gunship, rotorcraft, helicopter_type, hovering, airborne),
+    *(rocket, munition, bird),
+}
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
     *(house, gabled_house, eaved_house, plain_house, open_shed, play_house, play_tower, block, tower, tiered, pavilion, temple),

@@ -281,6 +281,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let mut front = Front::open(&plan.photo, &args.photos)?;
     if front.one().is_none() {
         args.networks.check_built_in()?;
+        args.place.check_several()?;
     }
     let by_control = plan.wanted.origin.is_none() && front.has_control();
     if !by_control {
@@ -320,6 +321,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         optimise_within: limits.map(|l| l.optimise),
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
+        pitch: args.place.pitch,
         levels: Format::levels_made(&args.format, args.lods.into()),
         triangles: args.triangles.map(|t| t as usize),
         texture: args.texture,
@@ -452,6 +454,7 @@ pub(crate) fn judge(args: &GeoArgs, utc: &str) -> Result<crate::audit::Marking> 
     if plan.photo.is_dir() {
         let front = Front::open(&plan.photo, &args.photos)?;
         args.networks.check_built_in()?;
+        args.place.check_several()?;
         if plan.wanted.origin.is_some() || !front.has_control() {
             plan.wanted.check(front.exif())?;
         }

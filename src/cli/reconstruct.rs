@@ -69,6 +69,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         optimise_within: time_limits.map(|l| l.optimise),
         deadline: time_limits.map(|l| started + l.latest),
         seed: args.seed,
+        pitch: None,
         levels: 1,
         triangles: None,
         texture: 1024,

@@ -38,6 +38,8 @@ pub fn bearing_of_subject(axis: f64, column: f64, view: &View) -> f64 {
 
 /// Of a gimbal's pitch, degrees.
 pub const PITCH_SIGMA: f64 = 1.5;
+/// Of a pitch that somebody says, degrees.
+pub const GIVEN_PITCH_SIGMA: f64 = 3.0;
 
 /// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and
 /// the row of the crop's middle.

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.19",
-    sha256: "090e1a01a76b6ab18409bedfce570e01c93445f961278b924cdb25fb8cc848e8",
+    version: "0.20",
+    sha256: "7a4a04a75e6b895d4903fac631258029d7070439b112a8157a46610ee5d94aa1",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

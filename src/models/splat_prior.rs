@@ -34,6 +34,8 @@ const BLUR: f32 = 0.25 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / GRID as f32;
 const OVERCONFIDENT: f32 = 1.8;
 /// From here on the camera looks down from the air, radians: SceneNet learned up to 54°, so tells that it does but not how steeply.
 const FROM_THE_AIR: f32 = 0.7;
+/// From here on down the camera looks up at what flies, radians: SceneNet never saw such a photo.
+const FROM_BELOW: f32 = -0.25;
 /// Output with the colour error to be expected of each Gaussian.
 const ERROR: &str = "error";
 /// The crop is handed on at no more than this.
@@ -106,11 +108,11 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     let own = take(&mut outputs, "elevation", 2)?;
     let own = Elevation { mean: own[0], spread: OVERCONFIDENT * own[1] };
     let stands = take(&mut outputs, "camera", 4)?;
-    // Trained on −17° to 89°; beyond that the guess is no better than the bound.
-    let bound = |e: f32| e.clamp(-0.35, 1.55);
+    // Trained on −69° to 89°; beyond that the guess is no better than the bound.
+    let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
     // It was taught to trust hints less than they deserve at the height of eyes.
-    let seen_from = if own.mean > FROM_THE_AIR { own } else { own.joined(subject.elevation) };
+    let seen_from = agreed(own, subject.elevation);
     let seen_from = Elevation { mean: bound(seen_from.mean), ..seen_from };
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
@@ -124,6 +126,11 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &crop_camera(elevation, &stands, size as u32), &mask);
     let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
     Ok(OneView { gaussians, expected_errors: errors, elevation, seen_from, camera, silhouette_iou, crop, colour, mask })
+}
+
+/// The elevation by SplatNet's own word and SceneNet's, which counts where it knows such photos.
+fn agreed(own: Elevation, scene: Elevation) -> Elevation {
+    if (FROM_BELOW..FROM_THE_AIR).contains(&own.mean) { own.joined(scene) } else { own }
 }
 
 /// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.
@@ -241,6 +248,18 @@ mod tests {
     fn the_canonical_centre_is_the_origin() {
         for degrees in [-10.0f32, 0.0, 25.0, 60.0] {
             assert!(lifted([0.0, 0.0, DISTANCE], degrees.to_radians()).length() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn who_never_saw_such_a_photo_is_not_asked_for_its_elevation() {
+        let level = Elevation { mean: 0.1, spread: 0.05 };
+        let own = |degrees: f32| Elevation { mean: degrees.to_radians(), spread: 0.1 };
+        for degrees in [-60.0, -20.0, 45.0, 80.0] {
+            assert_eq!(agreed(own(degrees), level), own(degrees), "{degrees}");
+        }
+        for degrees in [-10.0, 0.0, 30.0] {
+            assert_eq!(agreed(own(degrees), level), own(degrees).joined(level), "{degrees}");
         }
     }
 

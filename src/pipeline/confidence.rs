@@ -191,6 +191,7 @@ mod tests {
             optimise_within: None,
             deadline: None,
             seed: 3,
+            pitch: None,
             symmetry: Use::Off,
             levels: 1,
             triangles: None,

@@ -71,6 +71,10 @@ pub struct Submission {
     #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
     #[schema(minimum = -360, maximum = 360)]
     pub heading: Option<f64>,
+    /// Of one photo's camera, degrees above the horizon.
+    #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = -90, maximum = 90)]
+    pub pitch: Option<f64>,
     /// Metres, as the next four.
     #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
     pub height: Option<f64>,
@@ -223,6 +227,7 @@ impl Submission {
         for (option, value) in [
             ("origin-accuracy", self.origin_accuracy),
             ("heading", self.heading),
+            ("pitch", self.pitch),
             ("height", self.height),
             ("length", self.length),
             ("width", self.width),
@@ -319,6 +324,7 @@ mod tests {
         let s = of(&[
             ("origin", "-34.5,-118.4,740"),
             ("heading", "-12.5"),
+            ("pitch", "-30"),
             ("format", "cdb,splat-glb, tiles3d"),
             ("quality", "draft"),
             ("alt_datum", "msl"),
@@ -334,6 +340,7 @@ mod tests {
                 "--origin=-34.5,-118.4,740",
                 "--alt-datum=msl",
                 "--heading=-12.5",
+                "--pitch=-30",
                 "--format=cdb,splat-glb,tiles3d",
                 "--quality=draft",
                 "--seed=7",

@@ -103,6 +103,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         optimise_within: None,
         deadline: None,
         seed: 0,
+        pitch: None,
         levels: 4,
         triangles: None,
         texture: 1024,

@@ -9,13 +9,14 @@ use crate::audit::dsse::Envelope;
 use crate::audit::statement::{Param, Statement};
 use crate::{Error, Kind, Result};
 
-const COLUMNS: [&str; 16] = [
+const COLUMNS: [&str; 17] = [
     "photo",
     "name",
     "origin",
     "origin_is",
     "alt_datum",
     "heading",
+    "pitch",
     "height",
     "length",
     "width",
@@ -261,6 +262,7 @@ impl Line {
         p.origin_is = choice(self, "origin_is")?.or(p.origin_is);
         p.alt_datum = choice(self, "alt_datum")?.or(p.alt_datum);
         p.heading = number("heading")?.or(p.heading);
+        p.pitch = number("pitch")?.or(p.pitch);
         let s = &mut to.size;
         s.height = number("height")?.or(s.height);
         s.length = number("length")?.or(s.length);
