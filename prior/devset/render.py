@@ -120,7 +120,7 @@ def write_mesh(parts, path):
 
 
 def render_object(name, about, src, out, level_set=None, span=ABOVE):
-    """`level_set`: photos from an elevation of `span`, degrees, truth views from there."""
+    """`level_set`: where the truth views are taken from; the photos' elevation lies in `span`, degrees, then."""
     parts, size = read_object(name, about, src)
     radius, centre = float(np.linalg.norm(size) / 2), np.array([0, 0, size[2] / 2])
     rng = np.random.default_rng(int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "little"))
@@ -144,8 +144,8 @@ def render_object(name, about, src, out, level_set=None, span=ABOVE):
     level_mask = picture(opaque, level_eye, MASK_SAMPLES, 1)[1] if level_set else mask
     del opaque
 
-    depth = 2 * distance if span == BELOW else None
-    plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng, depth))
+    aloft = 2 * distance if span == BELOW else None
+    plain = mi.load_dict(scenes.plain_scene(parts, radius, centre, azimuth, side, rng, aloft))
     linear, _ = picture(plain, eye, PHOTO_SAMPLES, 2)
     seen = picture(plain, level_eye, PHOTO_SAMPLES, 2)[0] if level_set else linear
     exposure = 0.9 / max(np.percentile(seen[level_mask > 0.9].max(1), 97), np.percentile(seen.max(-1), 85))
@@ -153,7 +153,7 @@ def render_object(name, about, src, out, level_set=None, span=ABOVE):
     Image.fromarray(srgb8(linear * exposure)).save(folder / "photo_plain.jpg", quality=93)
     del plain
 
-    outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src, depth))
+    outdoor = mi.load_dict(scenes.outdoor_scene(parts, radius, centre, azimuth, rng, src, aloft))
     linear, _ = picture(outdoor, eye, PHOTO_SAMPLES, 3)
     # As bright as in the plain photo, so that the truth views fit both; but no burnt surroundings.
     gain = min(subject / brightness(linear, mask), 0.65 / np.median(linear.max(-1)))
