@@ -28,7 +28,7 @@ from synth.cameras import inverses, look_at, orbit
 
 PHOTO = 512  # pixels; photos are read at this size
 FROM_THE_AIR = 0.7  # radians; SceneNet learned up to 54 degrees
-FROM_BELOW = -0.25  # radians; of what looks up further SceneNet never saw a photo
+FROM_BELOW = -0.25  # radians; SceneNet learned down to -17 degrees
 FILL = 0.88  # of the crop, by the longer side of the subject's bounding box
 DEVICE = "cuda" if torch.cuda.is_available() else "cpu"
 HERE = Path(__file__).parent

@@ -110,7 +110,7 @@ def hints(elevation):
     now and then what a gimbal measured, or nothing (0, 0).
 
     SceneNet tells steep views apart but not how steep they are, and takes three in ten of them for level ones; its errors are on the
-    whole less than it expects; and of some photos it says what any photo might have. Of photos from below it never saw one.
+    whole less than it expects; and of some photos it says what any photo might have. Of photos from below it saw hardly any.
     """
     kind, steep, low = uniform(elevation, 0, 1), elevation > 0.6, elevation < BELOW
     spread = torch.exp(uniform(elevation, math.log(0.06), math.log(0.2)))

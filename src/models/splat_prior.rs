@@ -34,7 +34,7 @@ const BLUR: f32 = 0.25 * 0.5477 * 2.0 * DISTANCE * 0.267_949 / GRID as f32;
 const OVERCONFIDENT: f32 = 1.8;
 /// From here on the camera looks down from the air, radians: SceneNet learned up to 54°, so tells that it does but not how steeply.
 const FROM_THE_AIR: f32 = 0.7;
-/// From here on down the camera looks up at what flies, radians: SceneNet never saw such a photo.
+/// From here on down the camera looks up at what flies, radians: SceneNet learned down to −17°.
 const FROM_BELOW: f32 = -0.25;
 /// Output with the colour error to be expected of each Gaussian.
 const ERROR: &str = "error";
