@@ -275,8 +275,7 @@ pub fn fit(
     let (subject, splat) = rayon::join(|| looked.subject(), next);
     let mut subject = subject?;
     let crop = splat_prior::crop_around(&subject);
-    let known = pitch::elevation(settings.pitch, &photo.exif, photo.pixels.dimensions(), crop);
-    subject.elevation = known.unwrap_or(subject.elevation);
+    let measured = pitch::elevation(settings.pitch, &photo.exif, photo.pixels.dimensions(), crop);
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
@@ -288,9 +287,7 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let splat = splat.unwrap_or_else(|| prior::SPLAT.loaded(engine))?;
-    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &*splat)?;
-    // The network has heard of it: its own answer is no second opinion.
-    one_view.seen_from = known.unwrap_or(one_view.seen_from);
+    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, measured, &*splat)?;
     drop(splat);
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
     if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {

@@ -165,9 +165,9 @@ fn a_drone_knows_more() {
     let handheld = photo(dir.path(), &fix(), None);
     let (_, folder) = run(&handheld, &["--heading", "270"]);
     assert!(told > elevation(&folder) + 3.0, "{told}, {}", elevation(&folder));
-    // As a word of the user's does.
+    // As a word of the user's does, which is less exact: the network, which sees the car from lower down, has more say.
     let (_, folder) = run(&handheld, &["--heading", "270", "--pitch", "-30"]);
-    assert!((told - elevation(&folder)).abs() < 0.02, "{told}, {}", elevation(&folder));
+    assert!((0.5..4.0).contains(&(told - elevation(&folder))), "{told}, {}", elevation(&folder));
     assert_eq!(recorded(&folder)["pitch_given_deg"], "-30");
 }
 

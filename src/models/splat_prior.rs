@@ -66,11 +66,16 @@ pub struct OneView {
     pub mask: Plane,
 }
 
-/// Runs the network on the crop around the subject.
+/// Runs the network on the crop around the subject. What `measured` the elevation is told to it in place of the subject's.
 ///
 /// # Errors
 /// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
-pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Result<OneView> {
+pub fn one_view(
+    photo: &RgbImage,
+    subject: &Subject,
+    measured: Option<Elevation>,
+    graph: &dyn Graph,
+) -> Result<OneView> {
     let mut wanted = vec![
         Port::new("position", &[1, COUNT, 3]),
         Port::new("scale", &[1, COUNT, 3]),
@@ -92,7 +97,8 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     let crop = crop_around(subject);
     let rgba = network_input(photo, subject, crop)?;
     // The crop has no horizon and no ground: what saw them says how the camera looks.
-    let hint = Tensor::new(&[1, 2], vec![subject.elevation.mean, subject.elevation.spread])?;
+    let told = measured.unwrap_or(subject.elevation);
+    let hint = Tensor::new(&[1, 2], vec![told.mean, told.spread])?;
     let mut outputs = graph.run(&[("rgba", &rgba), ("hint", &hint)])?;
     let canonical = Canonical {
         position: take(&mut outputs, "position", 3 * COUNT)?,
@@ -112,7 +118,10 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
     let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
     // It was taught to trust hints less than they deserve at the height of eyes.
-    let seen_from = agreed(own, subject.elevation);
+    let seen_from = match measured {
+        Some(measured) => confirmed(measured, own),
+        None => agreed(own, subject.elevation),
+    };
     let seen_from = Elevation { mean: bound(seen_from.mean), ..seen_from };
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
@@ -131,6 +140,15 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, graph: &dyn Graph) -> Resul
 /// The elevation by SplatNet's own word and SceneNet's, which counts where it knows such photos.
 fn agreed(own: Elevation, scene: Elevation) -> Elevation {
     if (FROM_BELOW..FROM_THE_AIR).contains(&own.mean) { own.joined(scene) } else { own }
+}
+
+/// What was measured of the elevation and SplatNet's own word, weighed by precision, but no further from what was measured than twice its
+/// expected error: who measures is seldom wrong by more, and a network that is sure of itself may be.
+fn confirmed(measured: Elevation, own: Elevation) -> Elevation {
+    let joined = own.joined(measured);
+    let off = 2.0 * measured.spread;
+    let mean = joined.mean.clamp(measured.mean - off, measured.mean + off);
+    Elevation { mean, spread: if mean == joined.mean { joined.spread } else { measured.spread } }
 }
 
 /// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.
@@ -261,6 +279,19 @@ mod tests {
         for degrees in [-10.0, 0.0, 30.0] {
             assert_eq!(agreed(own(degrees), level), own(degrees).joined(level), "{degrees}");
         }
+    }
+
+    #[test]
+    fn what_was_measured_counts_by_how_well_it_is_known() {
+        let said = |mean: f32, spread: f32| Elevation { mean, spread };
+        let (gimbal, guessed, sure) = (said(0.5, 0.03), said(0.5, 0.2), said(0.2, 0.02));
+        let both = confirmed(gimbal, said(0.48, 0.03));
+        assert!((both.mean - 0.49).abs() < 1e-6 && both.spread == 0.03, "{both:?}");
+        // A network that contradicts it does not carry it away,
+        assert_eq!(confirmed(gimbal, sure), said(0.5 - 2.0 * 0.03, 0.03));
+        // but does where next to nothing was measured.
+        assert_eq!(confirmed(guessed, sure), sure.joined(guessed));
+        assert!((confirmed(guessed, sure).mean - 0.2).abs() < 0.01);
     }
 
     #[test]
@@ -396,11 +427,11 @@ mod tests {
             .map(|(name, width)| Port::new(name, &[1, COUNT, width]))
             .to_vec();
         ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
-        let without = one_view(&photo, &subject, &Flat(ports.clone(), 0.2)).unwrap();
+        let without = one_view(&photo, &subject, None, &Flat(ports.clone(), 0.2)).unwrap();
         assert_eq!(without.expected_errors, None);
 
         let with = |shape: &[usize]| Flat([ports.clone(), vec![Port::new(ERROR, shape)]].concat(), 0.2);
-        let view = one_view(&photo, &subject, &with(&[1, COUNT])).unwrap();
+        let view = one_view(&photo, &subject, None, &with(&[1, COUNT])).unwrap();
         let errors = view.expected_errors.unwrap();
         assert_eq!((errors.len(), view.gaussians.len()), (COUNT / 2, COUNT / 2));
         // Those that are drawn, in their order, within 0..1.
@@ -409,7 +440,7 @@ mod tests {
             [0.75, 1.5 * (COUNT / 2 + 1) as f32 / COUNT as f32, 1.0]
         );
         assert_eq!(view.gaussians, without.gaussians);
-        let refused = one_view(&photo, &subject, &with(&[1, COUNT, 3])).unwrap_err();
+        let refused = one_view(&photo, &subject, None, &with(&[1, COUNT, 3])).unwrap_err();
         assert!(
             refused.kind == crate::Kind::Environment && refused.to_string().contains("- output error"),
             "{refused}"
@@ -431,16 +462,23 @@ mod tests {
         let mut ports = ports.map(|(name, width)| Port::new(name, &[1, COUNT, width])).to_vec();
         ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
         // `Flat` adds what it was told to what it says: 0.6 ± 0.27, and 0.4 ± 0.1.
-        let view = one_view(&RgbImage::new(64, 64), &subject, &Flat(ports.clone(), 0.2)).unwrap();
+        let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports.clone(), 0.2)).unwrap();
         let weight = (0.1 / 0.27_f32).powi(2);
         assert!((view.elevation - 0.6).abs() < 1e-6, "{}", view.elevation);
         assert!((view.seen_from.mean - (0.4 + 0.6 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
         assert_eq!(view.seen_from.spread, 0.1);
+        // What was measured is told in place of it, and counts by how well it is known: 0.3 ± 0.18 and 0.1 ± 0.05.
+        let measured = Elevation { mean: 0.1, spread: 0.05 };
+        let view = one_view(&RgbImage::new(64, 64), &subject, Some(measured), &Flat(ports.clone(), 0.2)).unwrap();
+        assert!((view.elevation - 0.3).abs() < 1e-6, "{}", view.elevation);
+        let weight = (0.05 / 0.18_f32).powi(2);
+        assert!((view.seen_from.mean - (0.1 + 0.3 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
+        assert_eq!(view.seen_from.spread, 0.05);
         // From the air its own counts alone.
-        let view = one_view(&RgbImage::new(64, 64), &subject, &Flat(ports.clone(), 0.8)).unwrap();
+        let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports.clone(), 0.8)).unwrap();
         assert!((view.elevation - 1.2).abs() < 1e-6 && view.seen_from.mean == view.elevation, "{:?}", view.seen_from);
         assert!((view.seen_from.spread - 0.15 * OVERCONFIDENT).abs() < 1e-6, "{:?}", view.seen_from);
-        let view = one_view(&RgbImage::new(64, 64), &subject, &Flat(ports, 3.0)).unwrap();
+        let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports, 3.0)).unwrap();
         assert_eq!(view.seen_from.mean, 1.55);
         assert_eq!(view.elevation, 1.55);
     }
@@ -453,7 +491,7 @@ mod tests {
         let networks = scene::Networks::built_in(&Rten).unwrap();
         let subject = scene::subject(&photo.pixels, None, None, &networks).unwrap();
         let graph = prior::SPLAT.loaded(&Rten).unwrap();
-        let view = one_view(&photo.pixels, &subject, &*graph).unwrap();
+        let view = one_view(&photo.pixels, &subject, None, &*graph).unwrap();
         assert!(
             (view.elevation.to_degrees() - 15.0).abs() < 6.0,
             "taken from 15°, guessed {}",

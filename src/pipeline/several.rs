@@ -133,7 +133,7 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let reference = &poses.photos[best.index];
-    let mut one_view = splat_prior::one_view(&best.photo.pixels, &best.subject, &*prior::SPLAT.loaded(engine)?)?;
+    let mut one_view = splat_prior::one_view(&best.photo.pixels, &best.subject, None, &*prior::SPLAT.loaded(engine)?)?;
     let posed = square_camera(reference, &best.photo, &one_view, &to_unit);
     let (first, own) = (start::by_camera(&one_view.camera, &posed), one_view.gaussians.len());
     let placed = start::settle(&one_view.gaussians, first, &training);

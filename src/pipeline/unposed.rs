@@ -66,7 +66,7 @@ pub fn search(
         progress.check()?;
         let photo = open(file)?;
         let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &networks)
-            .and_then(|s| splat_prior::one_view(&photo.pixels, &s, &*splat_graph));
+            .and_then(|s| splat_prior::one_view(&photo.pixels, &s, None, &*splat_graph));
         match made {
             Err(e) if e.kind == Kind::Usage => notes.push(format!("{} is not used: {}", photo.name, e.found)),
             Err(e) => return Err(e),

@@ -352,7 +352,8 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
         let elevation_sigma = POSED_ELEVATION_SIGMA.to_radians();
         return View { posed_focal: Some(focal), elevation_sigma, ..view };
     }
-    match photo.exif.gimbal.and_then(|g| g.pitch) {
+    // Of one photo the network was told, and `seen_from` says it.
+    match photo.exif.gimbal.and_then(|g| g.pitch).filter(|_| done.several.is_some()) {
         Some(pitch) => View {
             elevation: sight::elevation_by_pitch(pitch, f64::from(crop.y + crop.height / 2.0), &view) as f32,
             elevation_sigma: sight::PITCH_SIGMA.to_radians(),
