@@ -262,10 +262,11 @@ SLENDER = {
     *(figure, person, quadruped, bird, seat, furniture, instrument, framework),
     *(assault_gun, concrete_mixer, sailing_boat, spacecraft),
 }
-# What flies, and so is photographed from below as well.
+# What flies, and so is photographed from below as well. (Rockets and bombs stand and lie, mostly: half of theirs from below, and a launcher
+# on its pad leant.)
 AIRBORNE = {
     *(plane, light_plane, jet, biplane, fixed_wing, warplane, unmanned, helicopter, gunship, rotorcraft, helicopter_type, hovering, airborne),
-    *(rocket, munition, bird),
+    bird,
 }
 # What has corners in life as well: buildings, boxes, things of beams and boards.
 ANGULAR = {
