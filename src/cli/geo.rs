@@ -33,7 +33,7 @@ use crate::{Error, Result, splat, symmetry};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
-    /// A look at the result in half the time.
+    /// A look at the result, sooner.
     Draft,
     Standard,
     /// As long as it takes.
@@ -197,15 +197,17 @@ pub(super) fn time_limits(quality: Quality) -> Option<TimeLimits> {
     }
 }
 
-/// Optimisation steps wanted on a GPU or on so many threads. Where they fit the time, like machines do the same
-/// number, and two runs are alike.
-pub(super) fn steps(quality: Quality, threads: usize, gpu: bool) -> u32 {
-    // On a GPU 3,600: twice or four times as many show nothing better of what was held back (docs/performance.md).
+/// Optimisation steps wanted for one photo or `several`, on a GPU or on so many threads. Where they fit the time, like machines do
+/// the same number, and two runs are alike.
+pub(super) fn steps(quality: Quality, several: bool, threads: usize, gpu: bool) -> u32 {
+    // Twice as many show nothing better of what was held back: of one photo on processors, on a GPU (docs/performance.md, One photo).
     let share = if gpu { 4.0 } else { (threads as f64 / 2.0).clamp(0.5, 8.0) };
-    match quality {
-        Quality::Draft => (250.0 * share) as u32,
-        Quality::Standard => (900.0 * share) as u32,
-        Quality::High => 7000,
+    match (quality, several || gpu) {
+        (Quality::Draft, false) => 150,
+        (Quality::Draft, true) => (250.0 * share) as u32,
+        (Quality::Standard, false) => 450,
+        (Quality::Standard, true) => (900.0 * share) as u32,
+        (Quality::High, _) => 7000,
     }
 }
 
@@ -279,7 +281,8 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let started = Instant::now();
     let mut plan = plan(args)?;
     let mut front = Front::open(&plan.photo, &args.photos)?;
-    if front.one().is_none() {
+    let several = front.one().is_none();
+    if several {
         args.networks.check_built_in()?;
         args.place.check_several()?;
     }
@@ -317,7 +320,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     // Who names a number of steps gets them, however long they take.
     let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, threads, gpu.is_some())),
+        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, several, threads, gpu.is_some())),
         optimise_within: limits.map(|l| l.optimise),
         deadline: limits.map(|l| started + l.latest),
         seed: args.seed,
@@ -478,4 +481,21 @@ pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
             .found(format!("{} MiB", size >> 20)));
     }
     std::fs::read(path).map_err(|e| Error::io(path, &e))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_photo_takes_as_many_steps_on_any_processor_and_several_more() {
+        for threads in [1, 2, 16] {
+            assert_eq!(steps(Quality::Standard, false, threads, false), 450);
+        }
+        assert_eq!(steps(Quality::Standard, true, 2, false), 900);
+        assert_eq!(steps(Quality::Standard, true, 16, false), 7200);
+        assert_eq!(steps(Quality::Standard, false, 2, true), 3600);
+        let of = |quality| steps(quality, false, 2, false);
+        assert!(of(Quality::Draft) < of(Quality::Standard) && of(Quality::Standard) < of(Quality::High));
+    }
 }

@@ -63,9 +63,10 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         }
     })?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let several = front.one().is_none();
     let time_limits = if args.iterations.is_some() { None } else { geo::time_limits(args.quality) };
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, threads, gpu.is_some())),
+        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, several, threads, gpu.is_some())),
         optimise_within: time_limits.map(|l| l.optimise),
         deadline: time_limits.map(|l| started + l.latest),
         seed: args.seed,

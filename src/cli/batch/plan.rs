@@ -98,10 +98,14 @@ impl Plan {
             None => time::now()?.utc(),
         };
         let (shards, refused) = divide(&manifest, &geo, &lines);
+        let beside = manifest.parent().unwrap_or(Path::new(""));
+        let several = lines.iter().filter_map(Line::photo).any(|p| beside.join(p).is_dir());
         let fresh = Plan {
             schema: SCHEMA.into(),
             manifest_sha256: sha256_hex(text.as_bytes()),
-            iterations: geo.iterations.unwrap_or_else(|| geo::steps(geo.quality, args.threads as usize, false)),
+            iterations: geo
+                .iterations
+                .unwrap_or_else(|| geo::steps(geo.quality, several, args.threads as usize, false)),
             threads: args.threads,
             as_of,
             data: DataFolder::from_environment(|name| std::env::var_os(name))?.path().to_owned(),

@@ -217,14 +217,19 @@ impl Line {
         self.cells.iter().find(|(c, v)| c == column && !v.is_empty()).map(|(_, v)| v.as_str())
     }
 
+    /// As it is written there, beside the manifest.
+    pub fn photo(&self) -> Option<&str> {
+        self.get("photo")
+    }
+
     /// Of the model: its own, else the photo's; none without a photo.
     pub fn name(&self) -> Option<String> {
-        let of_photo = || self.get("photo").map(|p| super::super::format::safe_stem(Path::new(p)));
+        let of_photo = || self.photo().map(|p| super::super::format::safe_stem(Path::new(p)));
         self.get("name").map(str::to_owned).or_else(of_photo)
     }
 
     fn label(&self) -> &str {
-        self.get("name").or(self.get("photo")).unwrap_or("no photo")
+        self.get("name").or(self.photo()).unwrap_or("no photo")
     }
 
     /// Changes when any cell changes.
@@ -279,9 +284,7 @@ impl Line {
         if let Some(banner) = self.get("classification") {
             to.publish.marking.classification = Some(banner.to_owned());
         }
-        self.get("photo")
-            .map(PathBuf::from)
-            .ok_or_else(|| Error::usage("photo").expected("a file").found("an empty cell"))
+        self.photo().map(PathBuf::from).ok_or_else(|| Error::usage("photo").expected("a file").found("an empty cell"))
     }
 }
 
