@@ -200,7 +200,7 @@ pub(super) fn time_limits(quality: Quality) -> Option<TimeLimits> {
 /// Optimisation steps wanted for one photo or `several`, on a GPU or on so many threads. Where they fit the time, like machines do
 /// the same number, and two runs are alike.
 pub(super) fn steps(quality: Quality, several: bool, threads: usize, gpu: bool) -> u32 {
-    // Twice as many show nothing better of what was held back: of one photo on processors, on a GPU (docs/performance.md, One photo).
+    // Of one photo twice as many show what was held back better by a quarter of a decibel, on a GPU hardly (docs/performance.md, One photo).
     let share = if gpu { 4.0 } else { (threads as f64 / 2.0).clamp(0.5, 8.0) };
     match (quality, several || gpu) {
         (Quality::Draft, false) => 150,
