@@ -20,7 +20,7 @@ pub fn available() -> Option<u64> {
     Some(left.map_or(free, |l| l.min(free)))
 }
 
-/// Begins to measure anew. False where the system does not allow it: then [`peak`] stays that of the whole process.
+/// Begins to measure anew, for a parent process that asks how much a run took at most (`time`) as well. False where the system does not allow it: then [`peak`] stays that of the whole process.
 pub fn reset_peak() -> bool {
     // "5" resets the peak resident set size (Linux, Documentation/filesystems/proc.rst).
     std::fs::write("/proc/self/clear_refs", "5").is_ok()

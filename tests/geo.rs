@@ -172,6 +172,31 @@ fn the_expected_error_lies_beside_the_model_where_the_network_says_it() {
     }
 }
 
+/// `orb reconstruct`, which has no place to be told: how the camera looked it can be told all the same.
+#[test]
+fn gaussians_alone_are_published_as_seen_from_where_the_camera_looked() {
+    let dir = tempfile::tempdir().unwrap();
+    let made = |name: &str, more: &[&str]| {
+        let out = dir.path().join(name);
+        let mut run = orb(&["reconstruct", "--iterations", "0", "--quiet", "-o"]);
+        let done = run.arg(&out).arg(samples().join("smart_car.jpg")).args(more).output().unwrap();
+        assert!(done.status.success(), "{}", text(&done));
+        out
+    };
+    let (seen, told) = (made("seen", &[]), made("told", &["--pitch", "-30"]));
+    let files: Vec<String> = tree(&told).iter().map(|(p, _)| p.file_name().unwrap().to_str().unwrap().into()).collect();
+    assert!(files.iter().all(|f| f.starts_with("orb-") || ["scene.ply", "preview.png"].contains(&&**f)), "{files:?}");
+    let verified = orb(&["audit", "verify"]).arg(&told).output().unwrap();
+    assert!(verified.status.success(), "{}", text(&verified));
+    assert_eq!(params(&told)["pitch_given_deg"], "-30");
+    assert!(params(&seen)["pitch_given_deg"].is_null());
+    // The network draws what it sees from there: not the same Gaussians, turned.
+    let scene = |out: &Path| std::fs::read(out.join("scene.ply")).unwrap();
+    assert_ne!(scene(&seen), scene(&told));
+    let refused = orb(&["reconstruct", "--pitch", "-91"]).arg(samples().join("smart_car.jpg")).output().unwrap();
+    assert!(refused.status.code() == Some(2) && text(&refused).contains("--pitch"), "{}", text(&refused));
+}
+
 #[test]
 fn one_changed_byte_anywhere_is_found_and_named() {
     let copy = tempfile::tempdir().unwrap();

@@ -52,7 +52,8 @@ fn a_job_from_a_browser() {
         .collect();
     browser.click(at[0], at[1]);
     browser.until("/^[0-9]+,[0-9]+$/.test(document.getElementById('point').value)");
-    for (id, value) in [("origin", "34.5523,-118.4712,740"), ("quality", "draft"), ("heading", "90")] {
+    for (id, value) in [("origin", "34.5523,-118.4712,740"), ("quality", "draft"), ("heading", "90"), ("pitch", "-15")]
+    {
         browser.value(&format!("(document.getElementById('{id}').value = '{value}', '')"));
     }
     browser.picture("serve-form");
@@ -83,10 +84,11 @@ fn a_job_from_a_browser() {
     );
     browser.until("document.getElementById('job').dataset.state === 'done'");
     browser.picture("serve-places");
-    // Several photos: no point on one of them, but poses and control points.
+    // Several photos: no point on one of them and no pitch, but poses and control points.
     let plain = car().with_file_name("smart_car_plain.jpg");
     browser.choose_all("#photo", &[&car(), &plain]);
     browser.until("!document.getElementById('several').hidden && document.getElementById('pointing').hidden");
+    browser.until("document.getElementById('pitched').hidden");
     browser.until("document.getElementById('photos').textContent.startsWith('2 photos: smart_car.jpg')");
     browser.value("(scrollTo(0, 0), '')");
     browser.picture("serve-several");
@@ -110,7 +112,7 @@ fn a_job_from_a_browser() {
         (1, Some(2)),
         "the same job, begun again"
     );
-    assert_eq!(job["request"]["heading"], 90.0);
+    assert_eq!((&job["request"]["heading"], &job["request"]["pitch"]), (&90.0.into(), &(-15.0).into()));
     // Everything in one archive, and the record in it is good elsewhere too.
     let (head, archive) = served.ask("GET", &format!("/api/v1/jobs/{id}/archive.zip"), &token);
     assert!(head.contains("x-orb-marking: UNCLASSIFIED"), "{head}");

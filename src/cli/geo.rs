@@ -11,13 +11,14 @@ pub use place::Placed;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
 use super::bar::{Bar, Say};
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
+use super::effort::EffortArgs;
 use super::format::{self, Content, Format, WriteArgs, safe_stem};
 use super::networks::{self, NetworkArgs};
 use super::photos::{Front, PhotosArgs};
@@ -30,15 +31,6 @@ use crate::pipeline::{self, Settings};
 use crate::progress::Progress;
 use crate::sources::Sources;
 use crate::{Error, Result, splat, symmetry};
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Quality {
-    /// A look at the result, sooner.
-    Draft,
-    Standard,
-    /// As long as it takes.
-    High,
-}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Symmetry {
@@ -107,12 +99,8 @@ pub struct GeoArgs {
     #[command(flatten)]
     pub write: WriteArgs,
 
-    #[arg(long, value_enum, default_value = "standard")]
-    pub quality: Quality,
-
-    /// Optimisation steps, in place of what the quality and this machine's cores suggest.
-    #[arg(long, value_name = "N")]
-    pub iterations: Option<u32>,
+    #[command(flatten)]
+    pub effort: EffortArgs,
 
     #[arg(long, value_enum, default_value = "auto")]
     pub device: Device,
@@ -175,40 +163,6 @@ pub struct GeoArgs {
     /// Memory stage by stage, the engine, and what the networks said.
     #[arg(short, long, conflicts_with = "quiet")]
     pub verbose: bool,
-}
-
-/// What keeps a run inside its time.
-#[derive(Clone, Copy)]
-pub(super) struct TimeLimits {
-    /// For the optimisation; decides the number of steps beforehand.
-    pub optimise: Duration,
-    /// End of the optimisation, from the start of the run: for machines that slow down on the way.
-    pub latest: Duration,
-}
-
-pub(super) fn time_limits(quality: Quality) -> Option<TimeLimits> {
-    let limits = |optimise, latest| {
-        Some(TimeLimits { optimise: Duration::from_secs(optimise), latest: Duration::from_secs(latest) })
-    };
-    match quality {
-        Quality::Draft => limits(10, 20),
-        Quality::Standard => limits(28, 40),
-        Quality::High => None,
-    }
-}
-
-/// Optimisation steps wanted for one photo or `several`, on a GPU or on so many threads. Where they fit the time, like machines do
-/// the same number, and two runs are alike.
-pub(super) fn steps(quality: Quality, several: bool, threads: usize, gpu: bool) -> u32 {
-    // Of one photo twice as many show what was held back better by a quarter of a decibel, on a GPU hardly (docs/performance.md, One photo).
-    let share = if gpu { 4.0 } else { (threads as f64 / 2.0).clamp(0.5, 8.0) };
-    match (quality, several || gpu) {
-        (Quality::Draft, false) => 150,
-        (Quality::Draft, true) => (250.0 * share) as u32,
-        (Quality::Standard, false) => 450,
-        (Quality::Standard, true) => (900.0 * share) as u32,
-        (Quality::High, _) => 7000,
-    }
 }
 
 /// Arguments that need no photo to be judged.
@@ -284,7 +238,6 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     let several = front.one().is_none();
     if several {
         args.networks.check_built_in()?;
-        args.place.check_several()?;
     }
     let by_control = plan.wanted.origin.is_none() && front.has_control();
     if !by_control {
@@ -317,14 +270,13 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
     };
     let gpu = args.device.open_quietly(&mut say)?;
     let fitter = gpu.as_ref().map_or(splat::Engine::Cpu, splat::Engine::Gpu);
-    // Who names a number of steps gets them, however long they take.
-    let limits = if args.iterations.is_some() { None } else { time_limits(args.quality) };
+    let limits = args.effort.limits(started);
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| steps(args.quality, several, threads, gpu.is_some())),
+        iterations: args.effort.steps(several, threads, gpu.is_some()),
         optimise_within: limits.map(|l| l.optimise),
-        deadline: limits.map(|l| started + l.latest),
+        deadline: limits.map(|l| l.deadline),
         seed: args.seed,
-        pitch: args.place.pitch,
+        pitch: args.photos.pitch,
         levels: Format::levels_made(&args.format, args.lods.into()),
         triangles: args.triangles.map(|t| t as usize),
         texture: args.texture,
@@ -457,13 +409,12 @@ pub(crate) fn judge(args: &GeoArgs, utc: &str) -> Result<crate::audit::Marking> 
     if plan.photo.is_dir() {
         let front = Front::open(&plan.photo, &args.photos)?;
         args.networks.check_built_in()?;
-        args.place.check_several()?;
         if plan.wanted.origin.is_some() || !front.has_control() {
             plan.wanted.check(front.exif())?;
         }
         return Ok(args.publish.marking.decide(front.carried(), utc)?.marking);
     }
-    args.photos.check_unused()?;
+    args.photos.check(false)?;
     let limits = crate::photo::Limits::default();
     let photo = read_photo(&plan.photo, limits.file_bytes)?;
     let (exif, _) = crate::photo::metadata(&plan.stem, &photo, &limits)?;
@@ -481,21 +432,4 @@ pub(super) fn read_photo(path: &Path, limit: u64) -> Result<Vec<u8>> {
             .found(format!("{} MiB", size >> 20)));
     }
     std::fs::read(path).map_err(|e| Error::io(path, &e))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_photo_takes_as_many_steps_on_any_processor_and_several_more() {
-        for threads in [1, 2, 16] {
-            assert_eq!(steps(Quality::Standard, false, threads, false), 450);
-        }
-        assert_eq!(steps(Quality::Standard, true, 2, false), 900);
-        assert_eq!(steps(Quality::Standard, true, 16, false), 7200);
-        assert_eq!(steps(Quality::Standard, false, 2, true), 3600);
-        let of = |quality| steps(quality, false, 2, false);
-        assert!(of(Quality::Draft) < of(Quality::Standard) && of(Quality::Standard) < of(Quality::High));
-    }
 }

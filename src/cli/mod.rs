@@ -9,6 +9,7 @@ mod cdb;
 pub mod checkpoint;
 pub mod device;
 pub mod doctor;
+pub mod effort;
 pub mod export;
 mod format;
 pub mod geo;

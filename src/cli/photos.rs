@@ -1,13 +1,14 @@
 //! What a reconstruction begins with: one photo, or a folder of them with its options, its poses, its places on the Earth.
 
+mod options;
 mod set;
 
+pub use options::{PhotosArgs, Sfm};
 pub use set::{Set, line_of};
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
 use glam::DVec3;
 
 use super::marking;
@@ -31,53 +32,6 @@ const COLMAP: &str = "colmap";
 /// Up is taken from the Earth where it is known as well as this, degrees; else from the photos.
 const UP_SIGMA: f64 = 1.0;
 
-/// How several photos belong together.
-#[derive(Args, Clone, Debug, Default)]
-pub struct PhotosArgs {
-    /// Where the cameras of several photos stood: a COLMAP model, a folder of models (the largest is taken) or a
-    /// transforms.json. Default: what lies in the folder of the photos or beside it.
-    #[arg(long, value_name = "PATH", help_heading = "Several photos")]
-    pub poses: Option<PathBuf>,
-
-    /// Compute the poses by an installed program.
-    #[arg(long, value_enum, conflicts_with = "poses", help_heading = "Several photos")]
-    pub sfm: Option<Sfm>,
-
-    /// Ground control points: a CSV file with the columns point, latitude, longitude, height, photo, x, y and, if known, sigma
-    /// (metres).
-    #[arg(long, value_name = "FILE", help_heading = "Several photos")]
-    pub gcp: Option<PathBuf>,
-
-    /// Refine the cameras' poses while the Gaussians are optimised.
-    #[arg(long, help_heading = "Several photos")]
-    pub refine_poses: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Sfm {
-    /// The `colmap` program, on the CPU.
-    Colmap,
-}
-
-impl PhotosArgs {
-    /// Refuses what only a folder of photos can use.
-    ///
-    /// # Errors
-    /// Usage.
-    pub fn check_unused(&self) -> Result<()> {
-        let given = [
-            ("--poses", self.poses.is_some()),
-            ("--sfm", self.sfm.is_some()),
-            ("--gcp", self.gcp.is_some()),
-            ("--refine-poses", self.refine_poses),
-        ];
-        match given.iter().find(|(_, given)| *given) {
-            Some((option, _)) => Err(Error::usage(*option).expected("a folder of photos").found("one photo")),
-            None => Ok(()),
-        }
-    }
-}
-
 /// One photo, or a folder of them: read, but nothing made of it yet.
 pub enum Front {
     One { photo: Box<Photo>, inputs: Vec<Input>, carried: Vec<Option<Marking>> },
@@ -88,10 +42,11 @@ impl Front {
     /// # Errors
     /// As [`photo::decode`] and [`open`]; an option that the other kind has.
     pub fn open(path: &Path, args: &PhotosArgs) -> Result<Front> {
-        if path.is_dir() {
+        let several = path.is_dir();
+        args.check(several)?;
+        if several {
             return Ok(Front::Several(Box::new(open(path, args)?)));
         }
-        args.check_unused()?;
         let limits = photo::Limits::default();
         let bytes = super::geo::read_photo(path, limits.file_bytes)?;
         let name = name_of(path);

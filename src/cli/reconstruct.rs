@@ -8,7 +8,8 @@ use std::time::Instant;
 use super::bar::Bar;
 use super::checkpoint::CheckpointArgs;
 use super::device::Device;
-use super::geo::{self, Quality};
+use super::effort::EffortArgs;
+use super::geo;
 use super::photos::{Front, PhotosArgs};
 use super::sealed::{Evidence, PublishArgs, SealedRun};
 use crate::audit::statement::Param;
@@ -31,11 +32,8 @@ pub struct Reconstruct {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub publish: PublishArgs,
-    #[arg(long, value_enum, default_value = "standard")]
-    pub quality: Quality,
-    /// Optimisation steps, in place of what the quality and this machine suggest.
-    #[arg(long, value_name = "N")]
-    pub iterations: Option<u32>,
+    #[command(flatten)]
+    pub effort: EffortArgs,
     #[arg(long, value_enum, default_value_t)]
     pub device: Device,
     /// Same photo, options, seed and machine: same bytes.
@@ -64,13 +62,13 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
     })?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let several = front.one().is_none();
-    let time_limits = if args.iterations.is_some() { None } else { geo::time_limits(args.quality) };
+    let limits = args.effort.limits(started);
     let settings = Settings {
-        iterations: args.iterations.unwrap_or_else(|| geo::steps(args.quality, several, threads, gpu.is_some())),
-        optimise_within: time_limits.map(|l| l.optimise),
-        deadline: time_limits.map(|l| started + l.latest),
+        iterations: args.effort.steps(several, threads, gpu.is_some()),
+        optimise_within: limits.map(|l| l.optimise),
+        deadline: limits.map(|l| l.deadline),
         seed: args.seed,
-        pitch: None,
+        pitch: args.photos.pitch,
         levels: 1,
         triangles: None,
         texture: 1024,
@@ -104,6 +102,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
             ("stopped_by_time".into(), Param::Bool(report.stopped_by_deadline)),
         ])
         .into_iter()
+        .chain(args.photos.params())
         .chain(front.params(done.several.as_ref()))
         .collect(),
     })?;

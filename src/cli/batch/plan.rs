@@ -103,9 +103,7 @@ impl Plan {
         let fresh = Plan {
             schema: SCHEMA.into(),
             manifest_sha256: sha256_hex(text.as_bytes()),
-            iterations: geo
-                .iterations
-                .unwrap_or_else(|| geo::steps(geo.quality, several, args.threads as usize, false)),
+            iterations: geo.effort.steps(several, args.threads as usize, false),
             threads: args.threads,
             as_of,
             data: DataFolder::from_environment(|name| std::env::var_os(name))?.path().to_owned(),

@@ -267,7 +267,7 @@ impl Line {
         p.origin_is = choice(self, "origin_is")?.or(p.origin_is);
         p.alt_datum = choice(self, "alt_datum")?.or(p.alt_datum);
         p.heading = number("heading")?.or(p.heading);
-        p.pitch = number("pitch")?.or(p.pitch);
+        to.photos.pitch = number("pitch")?.or(to.photos.pitch);
         let s = &mut to.size;
         s.height = number("height")?.or(s.height);
         s.length = number("length")?.or(s.length);

@@ -90,11 +90,6 @@ pub struct PlaceArgs {
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     pub heading: Option<f64>,
 
-    /// How far the camera of one photo looked up, degrees above the horizon; down is negative. Default: the photo's XMP, else what
-    /// the networks see.
-    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
-    pub pitch: Option<f64>,
-
     /// Terrain (GeoTIFF in degrees, UTM or UPS) that the model stands on.
     #[arg(long, value_name = "FILE")]
     pub dem: Option<PathBuf>,
@@ -106,20 +101,6 @@ pub struct PlaceArgs {
     /// What the terrain's heights are above. Default: what the file says, else the sea.
     #[arg(long, value_enum, requires = "dem")]
     pub dem_datum: Option<DemDatum>,
-}
-
-impl PlaceArgs {
-    /// That nothing is said which one camera alone has.
-    ///
-    /// # Errors
-    /// A pitch.
-    pub fn check_several(&self) -> Result<()> {
-        let Some(pitch) = self.pitch else { return Ok(()) };
-        Err(Error::usage("--pitch")
-            .expected("one photo")
-            .found(format!("{pitch}° of several, whose cameras look their own ways"))
-            .advice("Leave it out: the poses tell how each camera looks."))
-    }
 }
 
 /// What is known of the subject's size.
@@ -195,11 +176,6 @@ pub fn wanted(place: &PlaceArgs, size: &SizeArgs) -> Result<Wanted> {
     ];
     if let Some(h) = place.heading.filter(|h| !(h.is_finite() && (-360.0..=360.0).contains(h))) {
         return Err(Error::usage("--heading").expected("degrees between -360 and 360").found(h.to_string()));
-    }
-    if let Some(p) = place.pitch.filter(|p| !(-90.0..=90.0).contains(p)) {
-        return Err(Error::usage("--pitch")
-            .expected("degrees between -90 (straight down) and 90")
-            .found(p.to_string()));
     }
     let origin = place.origin.as_deref().map(|text| geo::parse_point("--origin", text)).transpose()?;
     let datum = place.alt_datum.map(Datum::plain);

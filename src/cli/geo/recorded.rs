@@ -76,7 +76,7 @@ pub fn params(
     all.extend(args.write.params(catalogue));
     all.extend(placed.params(line));
     all.extend(done.settled.iter().map(|r| ("settling_iterations_run".into(), Param::Int(r.iterations as i64))));
-    all.extend(args.place.pitch.map(|p| ("pitch_given_deg".into(), text(p.to_string()))));
+    all.extend(args.photos.params());
     let sources = &done.sources;
     let mut add = |name: &str, value: Option<Param>| {
         if let Some(value) = value {

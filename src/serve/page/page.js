@@ -121,8 +121,10 @@ function photo(files = []) {
   stage.tabIndex = several ? -1 : 0;
   $("pointing").hidden = !can || several;
   $("several").hidden = !several;
+  $("pitched").hidden = several;
   $("photos").textContent = several ? `${files.length} photos: ${[...files].slice(0, 6).map((f) => f.name).join(", ")}${files.length > 6 ? ", …" : ""}` : "";
-  if (!several) $("poses").value = $("gcp").value = "";
+  if (several) $("pitch").value = "";
+  else $("poses").value = $("gcp").value = "";
   put(null);
 }
 
