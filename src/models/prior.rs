@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.20",
-    sha256: "7a4a04a75e6b895d4903fac631258029d7070439b112a8157a46610ee5d94aa1",
+    version: "0.21",
+    sha256: "bc468305b6477cee6b747680b45a2192394a211dfb120b0dad756c370c37d127",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
