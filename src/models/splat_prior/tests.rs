@@ -1,5 +1,27 @@
 use super::*;
 
+/// Of a photo whose pixels are `scale` times as fine as the mask's.
+fn subject(mask: Plane, bounds: crate::models::region::Bounds, scale: f32, elevation: Elevation) -> Subject {
+    Subject {
+        depth: Plane::new(mask.width, mask.height, 0.0),
+        mask,
+        bounds,
+        scale: (scale, scale),
+        from_cutout: false,
+        expected_iou: None,
+        elevation,
+    }
+}
+
+/// What the network says, but for the error.
+fn ports() -> Vec<Port> {
+    let mut ports = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)]
+        .map(|(name, width)| Port::new(name, &[1, COUNT, width]))
+        .to_vec();
+    ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
+    ports
+}
+
 fn single(position: [f32; 3], rotation: [f32; 4], opacity: f32) -> Canonical {
     Canonical {
         position: position.to_vec(),
@@ -113,15 +135,7 @@ fn colour_and_opacity_survive() {
 
 #[test]
 fn the_crop_holds_the_box_at_its_fill() {
-    let subject = Subject {
-        mask: Plane::new(100, 50, 0.0),
-        depth: Plane::new(100, 50, 0.0),
-        bounds: [20, 10, 60, 30],
-        scale: (4.0, 4.0),
-        from_cutout: false,
-        expected_iou: None,
-        elevation: Elevation { mean: 0.2, spread: 0.05 },
-    };
+    let subject = subject(Plane::new(100, 50, 0.0), [20, 10, 60, 30], 4.0, Elevation { mean: 0.2, spread: 0.05 });
     let crop = crop_around(&subject);
     assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
     assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
@@ -165,24 +179,12 @@ impl Graph for Flat {
 
 #[test]
 fn expected_errors_are_read_where_the_network_has_them() {
-    let subject = Subject {
-        mask: Plane::new(64, 64, 1.0),
-        depth: Plane::new(64, 64, 0.0),
-        bounds: [0, 0, 64, 64],
-        scale: (2.0, 2.0),
-        from_cutout: false,
-        expected_iou: None,
-        elevation: Elevation { mean: 0.2, spread: 0.05 },
-    };
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 2.0, Elevation { mean: 0.2, spread: 0.05 });
     let photo = RgbImage::new(128, 128);
-    let mut ports: Vec<Port> = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)]
-        .map(|(name, width)| Port::new(name, &[1, COUNT, width]))
-        .to_vec();
-    ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
-    let without = one_view(&photo, &subject, None, &Flat(ports.clone(), 0.2)).unwrap();
+    let without = one_view(&photo, &subject, None, &Flat(ports(), 0.2)).unwrap();
     assert_eq!(without.expected_errors, None);
 
-    let with = |shape: &[usize]| Flat([ports.clone(), vec![Port::new(ERROR, shape)]].concat(), 0.2);
+    let with = |shape: &[usize]| Flat([ports(), vec![Port::new(ERROR, shape)]].concat(), 0.2);
     let view = one_view(&photo, &subject, None, &with(&[1, COUNT])).unwrap();
     let errors = view.expected_errors.unwrap();
     assert_eq!((errors.len(), view.gaussians.len()), (COUNT / 2, COUNT / 2));
@@ -195,36 +197,25 @@ fn expected_errors_are_read_where_the_network_has_them() {
 
 #[test]
 fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
-    let subject = Subject {
-        mask: Plane::new(64, 64, 1.0),
-        depth: Plane::new(64, 64, 0.0),
-        bounds: [0, 0, 64, 64],
-        scale: (1.0, 1.0),
-        from_cutout: false,
-        expected_iou: None,
-        elevation: Elevation { mean: 0.4, spread: 0.1 },
-    };
-    let ports = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)];
-    let mut ports = ports.map(|(name, width)| Port::new(name, &[1, COUNT, width])).to_vec();
-    ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
     // `Flat` adds what it was told to what it says: 0.6 ± 0.27, and 0.4 ± 0.1.
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports.clone(), 0.2)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 0.2)).unwrap();
     let weight = (0.1 / 0.27_f32).powi(2);
     assert!((view.elevation - 0.6).abs() < 1e-6, "{}", view.elevation);
     assert!((view.seen_from.mean - (0.4 + 0.6 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
     assert_eq!(view.seen_from.spread, 0.1);
     // What was measured is told in place of it, and counts by how well it is known: 0.3 ± 0.18 and 0.1 ± 0.05.
     let measured = Elevation { mean: 0.1, spread: 0.05 };
-    let view = one_view(&RgbImage::new(64, 64), &subject, Some(measured), &Flat(ports.clone(), 0.2)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, Some(measured), &Flat(ports(), 0.2)).unwrap();
     assert!((view.elevation - 0.3).abs() < 1e-6, "{}", view.elevation);
     let weight = (0.05 / 0.18_f32).powi(2);
     assert!((view.seen_from.mean - (0.1 + 0.3 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
     assert_eq!(view.seen_from.spread, 0.05);
     // From the air its own counts alone.
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports.clone(), 0.8)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 0.8)).unwrap();
     assert!((view.elevation - 1.2).abs() < 1e-6 && view.seen_from.mean == view.elevation, "{:?}", view.seen_from);
     assert!((view.seen_from.spread - 0.15 * OVERCONFIDENT).abs() < 1e-6, "{:?}", view.seen_from);
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports, 3.0)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 3.0)).unwrap();
     assert_eq!(view.seen_from.mean, 1.55);
     assert_eq!(view.elevation, 1.55);
 }
@@ -255,21 +246,9 @@ impl Graph for Unsure {
 
 #[test]
 fn the_surest_of_four_looks_is_kept_and_who_is_sure_looks_once() {
-    let subject = Subject {
-        mask: Plane::new(64, 64, 1.0),
-        depth: Plane::new(64, 64, 0.0),
-        bounds: [0, 0, 64, 64],
-        scale: (1.0, 1.0),
-        from_cutout: false,
-        expected_iou: None,
-        elevation: Elevation { mean: 0.0, spread: 0.1 },
-    };
-    let mut ports = [("position", 3), ("scale", 3), ("rotation", 4), ("color", 3)]
-        .map(|(name, width)| Port::new(name, &[1, COUNT, width]))
-        .to_vec();
-    ports.extend([Port::any("opacity"), Port::new("elevation", &[1, 2]), Port::new("camera", &[1, 4])]);
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.0, spread: 0.1 });
     let of = |spreads: &[f32]| {
-        let graph = Unsure(Flat(ports.clone(), 0.2), spreads.to_vec(), 0.into());
+        let graph = Unsure(Flat(ports(), 0.2), spreads.to_vec(), 0.into());
         let view = one_view(&RgbImage::new(64, 64), &subject, None, &graph).unwrap();
         let middle = view.gaussians.positions.iter().map(|p| p.x).sum::<f32>() / view.gaussians.len() as f32;
         (view, middle, graph.2.into_inner())
@@ -288,15 +267,7 @@ fn the_surest_of_four_looks_is_kept_and_who_is_sure_looks_once() {
 
 #[test]
 fn a_grown_mask_reaches_a_little_further_to_all_sides() {
-    let mut subject = Subject {
-        mask: Plane::new(256, 256, 0.0),
-        depth: Plane::new(256, 256, 0.0),
-        bounds: [0, 0, 256, 256],
-        scale: (2.0, 2.0),
-        from_cutout: false,
-        expected_iou: None,
-        elevation: Elevation { mean: 0.0, spread: 0.1 },
-    };
+    let mut subject = subject(Plane::new(256, 256, 0.0), [0, 0, 256, 256], 2.0, Elevation { mean: 0.0, spread: 0.1 });
     for y in 100..120 {
         subject.mask.data[256 * y + 100..256 * y + 120].fill(1.0);
     }
