@@ -36,8 +36,6 @@ const OVERCONFIDENT: f32 = 1.8;
 const FROM_THE_AIR: f32 = 0.7;
 /// From here on down the camera looks up at what flies, radians: SceneNet learned down to −17°.
 const FROM_BELOW: f32 = -0.25;
-/// Sure enough of the elevation at the first look, radians, as the network says it.
-const SURE: f32 = 0.017_453;
 /// Output with the colour error to be expected of each Gaussian.
 const ERROR: &str = "error";
 /// The crop is handed on at no more than this.
@@ -68,67 +66,7 @@ pub struct OneView {
     pub mask: Plane,
 }
 
-/// How the network is shown the subject.
-struct Look {
-    /// What the subject's box takes of the crop's side.
-    fill: f32,
-    /// How far its mask is grown, pixels of the network's input.
-    grown: f32,
-}
-
-/// What comes of an aeroplane may gain or lose 0.08 of its silhouettes' IoU by so little, and where the network draws better it is surer of the
-/// elevation, too. Where the first look is not sure enough the surest of the four is kept (prior/README.md, Four looks).
-const LOOKS: [Look; 4] = [
-    Look { fill: FILL, grown: 0.0 },
-    Look { fill: FILL, grown: GROWN },
-    Look { fill: 0.84, grown: 0.0 },
-    Look { fill: 0.84, grown: GROWN },
-];
-/// Of looks at a grown mask.
-const GROWN: f32 = 0.7;
-
-/// What the network drew at one look.
-struct Answer {
-    crop: Rect,
-    canonical: Canonical,
-    /// As it says it itself.
-    elevation: Elevation,
-    stands: Vec<f32>,
-    errors: Option<Vec<f32>>,
-}
-
-/// # Errors
-/// As the graph.
-fn looked(
-    photo: &RgbImage,
-    subject: &Subject,
-    told: Elevation,
-    look: &Look,
-    says_error: bool,
-    graph: &dyn Graph,
-) -> Result<Answer> {
-    let crop = crop_filled(subject, look.fill);
-    let rgba = network_input(photo, subject, crop, look.grown)?;
-    let hint = Tensor::new(&[1, 2], vec![told.mean, told.spread])?;
-    let mut outputs = graph.run(&[("rgba", &rgba), ("hint", &hint)])?;
-    let canonical = Canonical {
-        position: take(&mut outputs, "position", 3 * COUNT)?,
-        scale: take(&mut outputs, "scale", 3 * COUNT)?,
-        rotation: take(&mut outputs, "rotation", 4 * COUNT)?,
-        opacity: take(&mut outputs, "opacity", COUNT)?,
-        color: take(&mut outputs, "color", 3 * COUNT)?,
-    };
-    let errors = match says_error {
-        true => Some(canonical.of_drawn(&take(&mut outputs, ERROR, COUNT)?)),
-        false => None,
-    };
-    let own = take(&mut outputs, "elevation", 2)?;
-    let elevation = Elevation { mean: own[0], spread: own[1] };
-    Ok(Answer { crop, canonical, elevation, stands: take(&mut outputs, "camera", 4)?, errors })
-}
-
-/// Runs the network on the crop around the subject, up to four times where it is unsure, and keeps what it is surest of. What `measured` the
-/// elevation is told to it in place of the subject's.
+/// Runs the network on the crop around the subject. What `measured` the elevation is told to it in place of the subject's.
 ///
 /// # Errors
 /// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
@@ -156,21 +94,26 @@ pub fn one_view(
         &[Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 2])],
         &wanted,
     )?;
+    let crop = crop_around(subject);
+    let rgba = network_input(photo, subject, crop)?;
     // The crop has no horizon and no ground: what saw them says how the camera looks.
     let told = measured.unwrap_or(subject.elevation);
-    let looked = |look: &Look| looked(photo, subject, told, look, says_error, graph);
-    let [first, others @ ..] = &LOOKS;
-    let mut surest = looked(first)?;
-    if surest.elevation.spread > SURE {
-        for look in others {
-            let answer = looked(look)?;
-            if answer.elevation.spread < surest.elevation.spread {
-                surest = answer;
-            }
-        }
-    }
-    let Answer { crop, canonical, elevation: own, stands, errors } = surest;
-    let own = Elevation { spread: OVERCONFIDENT * own.spread, ..own };
+    let hint = Tensor::new(&[1, 2], vec![told.mean, told.spread])?;
+    let mut outputs = graph.run(&[("rgba", &rgba), ("hint", &hint)])?;
+    let canonical = Canonical {
+        position: take(&mut outputs, "position", 3 * COUNT)?,
+        scale: take(&mut outputs, "scale", 3 * COUNT)?,
+        rotation: take(&mut outputs, "rotation", 4 * COUNT)?,
+        opacity: take(&mut outputs, "opacity", COUNT)?,
+        color: take(&mut outputs, "color", 3 * COUNT)?,
+    };
+    let errors = match says_error {
+        true => Some(canonical.of_drawn(&take(&mut outputs, ERROR, COUNT)?)),
+        false => None,
+    };
+    let own = take(&mut outputs, "elevation", 2)?;
+    let own = Elevation { mean: own[0], spread: OVERCONFIDENT * own[1] };
+    let stands = take(&mut outputs, "camera", 4)?;
     // Trained on −69° to 89°; beyond that the guess is no better than the bound.
     let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
@@ -235,14 +178,9 @@ fn crop_camera(elevation: f32, stands: &[f32], size: u32) -> Camera {
 
 /// The square, in photo pixels, that the subject's box fills to [`FILL`]; it may reach outside the photo.
 pub fn crop_around(subject: &Subject) -> Rect {
-    crop_filled(subject, FILL)
-}
-
-/// The square that the subject's box fills to `fill`.
-fn crop_filled(subject: &Subject, fill: f32) -> Rect {
     let [x0, y0, x1, y1] = subject.bounds.map(|v| v as f32);
     let (sx, sy) = subject.scale;
-    let side = ((x1 - x0) * sx).max((y1 - y0) * sy) / fill;
+    let side = ((x1 - x0) * sx).max((y1 - y0) * sy) / FILL;
     Rect { x: (x0 + x1) / 2.0 * sx - side / 2.0, y: (y0 + y1) / 2.0 * sy - side / 2.0, width: side, height: side }
 }
 
@@ -252,23 +190,9 @@ fn crop_mask(subject: &Subject, crop: Rect, size: usize) -> Plane {
     sample_plane(&subject.mask, rect, size, size, Edge::Zero)
 }
 
-/// [`crop_mask`] of the network's size, the largest of what it is within `by` pixels to each side.
-fn grown_mask(subject: &Subject, crop: Rect, by: f32) -> Plane {
-    let mut mask = crop_mask(subject, crop, SIZE);
-    if by > 0.0 {
-        let step = by * crop.width / SIZE as f32;
-        let around = [-step, 0.0, step];
-        for (dx, dy) in around.into_iter().flat_map(|dy| around.map(|dx| (dx, dy))) {
-            let aside = crop_mask(subject, Rect { x: crop.x + dx, y: crop.y + dy, ..crop }, SIZE);
-            mask.data.iter_mut().zip(aside.data).for_each(|(here, there)| *here = here.max(there));
-        }
-    }
-    mask
-}
-
-/// Planes red, green, blue on grey 0.5, and the mask, grown.
-fn network_input(photo: &RgbImage, subject: &Subject, crop: Rect, grown: f32) -> Result<Tensor> {
-    let mask = grown_mask(subject, crop, grown);
+/// Planes red, green, blue on grey 0.5, and the mask.
+fn network_input(photo: &RgbImage, subject: &Subject, crop: Rect) -> Result<Tensor> {
+    let mask = crop_mask(subject, crop, SIZE);
     let colour = sample_colour(photo, crop, SIZE, SIZE, Edge::Clamp);
     let mut data = vec![0.0; 4 * SIZE * SIZE];
     for (i, (pixel, &alpha)) in colour.iter().zip(&mask.data).enumerate() {

@@ -220,64 +220,6 @@ fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
     assert_eq!(view.elevation, 1.55);
 }
 
-/// Says at each look that it is as sure as this, and draws the square so many units to the side; the last again once they are used up.
-struct Unsure(Flat, Vec<f32>, std::sync::atomic::AtomicUsize);
-
-impl Graph for Unsure {
-    fn inputs(&self) -> Vec<Port> {
-        self.0.inputs()
-    }
-    fn outputs(&self) -> Vec<Port> {
-        self.0.outputs()
-    }
-    fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
-        let look = self.2.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        let mut outputs = self.0.run(inputs)?;
-        for (name, tensor) in &mut outputs {
-            match name.as_str() {
-                "elevation" => tensor.data[1] = self.1[look],
-                "position" => tensor.data.iter_mut().step_by(3).for_each(|x| *x += 0.1 * look as f32),
-                _ => {}
-            }
-        }
-        Ok(outputs)
-    }
-}
-
-#[test]
-fn the_surest_of_four_looks_is_kept_and_who_is_sure_looks_once() {
-    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.0, spread: 0.1 });
-    let of = |spreads: &[f32]| {
-        let graph = Unsure(Flat(ports(), 0.2), spreads.to_vec(), 0.into());
-        let view = one_view(&RgbImage::new(64, 64), &subject, None, &graph).unwrap();
-        let middle = view.gaussians.positions.iter().map(|p| p.x).sum::<f32>() / view.gaussians.len() as f32;
-        (view, middle, graph.2.into_inner())
-    };
-    let (sure, at_first, looks) = of(&[0.5 * SURE]);
-    assert_eq!((looks, sure.crop.width), (1, 64.0 / FILL));
-    let (view, middle, looks) = of(&[0.05, 0.03, 0.02, 0.04]);
-    assert_eq!(looks, LOOKS.len());
-    assert!((middle - at_first - 0.2).abs() < 1e-4, "{middle}, {at_first}");
-    // What goes with it is of the same look.
-    assert!((view.crop.width - 64.0 / LOOKS[2].fill).abs() < 1e-3, "{:?}", view.crop);
-    assert!((view.crop.x + view.crop.width / 2.0 - 32.0).abs() < 1e-3, "{:?}", view.crop);
-    let (view, ..) = of(&[0.03, 0.03, 0.03, 0.03]);
-    assert_eq!(view.crop.width, 64.0 / FILL);
-}
-
-#[test]
-fn a_grown_mask_reaches_a_little_further_to_all_sides() {
-    let mut subject = subject(Plane::new(256, 256, 0.0), [0, 0, 256, 256], 2.0, Elevation { mean: 0.0, spread: 0.1 });
-    for y in 100..120 {
-        subject.mask.data[256 * y + 100..256 * y + 120].fill(1.0);
-    }
-    // A pixel of the crop is one of the mask, and two of the photo.
-    let crop = crop_filled(&subject, 1.0);
-    let area = |by: f32| grown_mask(&subject, crop, by).data.iter().sum::<f32>();
-    assert!((area(0.0) - 400.0).abs() < 0.5 && (area(1.0) - 22.0 * 22.0).abs() < 0.5, "{} {}", area(0.0), area(1.0));
-    assert!((area(0.5) - 21.0 * 21.0).abs() < 1.0, "{}", area(0.5));
-}
-
 #[test]
 fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
     use crate::models::{Rten, prior, scene};
