@@ -190,7 +190,7 @@ fn gaussians_alone_are_published_as_seen_from_where_the_camera_looked() {
     assert!(verified.status.success(), "{}", text(&verified));
     assert_eq!(params(&told)["pitch_given_deg"], "-30");
     assert!(params(&seen)["pitch_given_deg"].is_null());
-    // The network draws what it sees from there: not the same Gaussians, turned.
+    // What it is told counts.
     let scene = |out: &Path| std::fs::read(out.join("scene.ply")).unwrap();
     assert_ne!(scene(&seen), scene(&told));
     let refused = orb(&["reconstruct", "--pitch", "-91"]).arg(samples().join("smart_car.jpg")).output().unwrap();
