@@ -279,6 +279,7 @@ fn name(line: &Line, taken: &mut Vec<(String, usize)>) -> Result<()> {
 fn row(line: &Line, geo: &GeoArgs, base: &Path) -> Result<Row> {
     let mut own = geo.clone();
     let photo = base.join(line.apply(&mut own)?);
+    own.photos.check(photo.is_dir())?;
     let wanted = options::wanted(&own.place, &own.size)?;
     let exif = if wanted.origin.is_some() {
         photo::Exif::default()
