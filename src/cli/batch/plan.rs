@@ -298,3 +298,26 @@ fn row(line: &Line, geo: &GeoArgs, base: &Path) -> Result<Row> {
     let shared = own.write.kind != StoreKind::Gs;
     Ok(Row { line: line.number, latitude, longitude, reach: if far { REACH } else { 0.0 }, shared })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_that_no_run_would_take_are_refused_before_the_work() {
+        let dir = tempfile::tempdir().unwrap();
+        let manifest = dir.path().join("site.csv");
+        std::fs::write(
+            &manifest,
+            "photo,name,origin,pitch\na.jpg,level,\"34.55,-118.47,740\",-30\na.jpg,over,\"34.55,-118.47,740\",91\n\
+             .,several,\"34.55,-118.47,740\",-30\n",
+        )
+        .unwrap();
+        let (_, lines) = manifest::read(&manifest).unwrap();
+        let (shards, refused) = divide(&manifest, &geo_options(&[]).unwrap(), &lines);
+        assert_eq!(shards.len(), 1);
+        // A pitch of one camera that cannot be, and one of many cameras.
+        assert_eq!(refused.iter().map(|f| f.line).collect::<Vec<_>>(), [3, 4]);
+        assert!(refused.iter().all(|f| f.words.contains("--pitch")), "{}", refused[1].words);
+    }
+}
