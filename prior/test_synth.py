@@ -353,6 +353,28 @@ def test_rough_masks_lose_openings_and_nothing_else():
     assert (closed(ring, 4) == ring).all() and closed(ring, 8)[..., 188, 188] == 1
 
 
+def test_wavering_masks_err_both_ways_along_an_edge_and_half_of_them_lack_what_is_thin():
+    torch = pytest.importorskip("torch")
+    from synth.masks import wavering
+
+    torch.manual_seed(2)
+    size, n = 128, 300
+    alpha = torch.zeros(n, 1, size, size)
+    alpha[..., 30:100, 30:100] = 1
+    alpha[..., 10:30, 64] = 1  # an aerial
+    found = torch.cat([wavering(a) for a in alpha.split(20)])
+    assert 0 <= found.min() and found.max() <= 1
+    side = (found[:, 0, 40:90, 26:38] > 0.5).float().sum(2) - 8
+    assert (side.abs() <= 3).float().mean() > 0.99 and 0.2 < side.abs().mean() < 1
+    both = ((side.amax(1) > 0) & (side.amin(1) < 0)).float().mean()
+    assert both > 0.2, both
+    # What errs at one row errs alike at the next.
+    alike = (side[:, 1:] * side[:, :-1]).mean() / (side * side).mean()
+    assert alike > 0.6, alike
+    lacking = (found[:, 0, 12:26, 64].mean(1) < 0.5).float().mean()
+    assert 0.35 < lacking < 0.6, lacking
+
+
 def boxed(centre, half, rotation=None, kind=layout.BOX):
     from synth.kit import Primitive
 

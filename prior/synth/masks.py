@@ -5,21 +5,39 @@ import torch.nn.functional as F
 
 
 def damaged(alpha):
-    """Masks [n, 1, S, S] as a network would find them: a little wide, tight or soft, some cut off at one side."""
+    """Masks [n, 1, S, S] as a network would find them: a little wide, tight or soft, as a whole or here and there, some cut off at one
+    side."""
     n, _, size, _ = alpha.shape
     device = alpha.device
     soft = F.avg_pool2d(F.pad(alpha, (1, 1, 1, 1)), 3, 1)
     shift = 0.45 * torch.randn(n, 1, 1, 1, device=device).clamp(-1.5, 1.5)
     gain = torch.exp(torch.rand(n, 1, 1, 1, device=device) * 1.5)
     moved = ((soft - 0.5 + 0.5 * shift) * gain + 0.5).clamp(0, 1) * (soft > 0.02)
-    kept = torch.rand(n, 1, 1, 1, device=device) < 0.45
-    mask = torch.where(kept, alpha, moved)
+    chosen = torch.rand(n, 1, 1, 1, device=device)
+    mask = torch.where(chosen < 0.3, alpha, torch.where(chosen < 0.6, moved, wavering(alpha)))
     centres = (torch.arange(size, device=device) + 0.5) / size
     side = torch.randint(4, (n, 1, 1, 1), device=device)
     across, down = centres[None, None, None, :], centres[None, None, :, None]
     along = torch.where(side == 0, across, torch.where(side == 1, 1 - across, torch.where(side == 2, down, 1 - down)))
     cut = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.1, torch.rand(n, 1, 1, 1, device=device) * 0.2, -1.0)
     return mask * (along > cut + 0.06 * (cut > 0))
+
+
+def wavering(alpha):
+    """Masks [n, 1, S, S] whose edge runs a little outside the true one for a while and then inside, with a hole now and
+    then; half of them lack what is thin."""
+    n, _, size, _ = alpha.shape
+    device = alpha.device
+    wide = size // 96 + 1
+    cells = int(torch.randint(max(size // 32, 2), max(size // 8, 3), ()))
+    field = F.interpolate(torch.randn(n, 1, cells, cells, device=device), size=size, mode="bicubic")
+    soft = F.avg_pool2d(F.pad(alpha, (wide,) * 4), 2 * wide + 1, 1)
+    gain = torch.exp(1 + torch.rand(n, 1, 1, 1, device=device) * 1.5)
+    amount = 0.25 * torch.rand(n, 1, 1, 1, device=device)
+    mask = ((soft - 0.5 + amount * field) * gain + 0.5).clamp(0, 1)
+    thin = (alpha - grown(shrunk(alpha, wide), wide)).clamp(min=0)
+    mask = torch.where(torch.rand(n, 1, 1, 1, device=device) < 0.5, torch.maximum(mask, thin), mask)
+    return mask * (grown(alpha, wide) > 0.02)
 
 
 def leaked(photo, mask, alpha, leaky):

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.21",
-    sha256: "bc468305b6477cee6b747680b45a2192394a211dfb120b0dad756c370c37d127",
+    version: "0.22",
+    sha256: "cb32f7e565a6cc3544f620bd822e26e9886945726da74e64fb50bc48683b8b21",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
