@@ -72,7 +72,13 @@ impl Fit {
         self.gives() && self.askew() < 0.45 && self.elongation < 1.2 && self.stray < 0.15
     }
 
-    /// The same of the plane at right angles to another one. That a back is like its front is said more rarely.
+    /// The same of the plane at right angles to another one. Cab and tail of a lorry that is one white wall are alike in colour;
+    /// that a back is like its front the shape has to say as well.
+    fn convinces_across(&self) -> bool {
+        self.convinces() && self.plausible_across()
+    }
+
+    /// Whether nothing speaks against it at right angles to another one. That a back is like its front is said more rarely.
     fn plausible_across(&self) -> bool {
         self.askew() < 0.2 && self.silhouette > 0.6
     }
@@ -165,7 +171,7 @@ pub fn find(g: &Gaussians, seen: &Seen, wanted: Use) -> Vec<Found> {
         && let Some(second) = across(&evidence, variation, &first.plane).map(with_silhouette)
     {
         let basis = match wanted {
-            Use::Auto | Use::Evident | Use::Two if all[0].used() && second.convinces() => Some(Basis::Evident),
+            Use::Auto | Use::Evident | Use::Two if all[0].used() && second.convinces_across() => Some(Basis::Evident),
             Use::Two => Some(Basis::Asked),
             Use::Auto if second.plausible_across() && second.gives() && is_tower(&evidence, &first.plane) => {
                 Some(Basis::Assumed)
