@@ -113,6 +113,17 @@ fn the_plane_of_a_van_is_found() {
 }
 
 #[test]
+fn a_back_is_not_like_the_front_for_being_of_one_colour() {
+    let white = |p: Vec3| [0.9, 0.9, 0.8 - 0.5 * p.z];
+    let mut lorry = boxed(Vec3::new(-0.8, -0.65, -0.4), Vec3::new(0.55, 0.65, 0.3), white);
+    lorry.extend(&boxed(Vec3::new(0.55, -0.65, -0.25), Vec3::new(0.8, 0.65, 0.15), white));
+    let case = Case::new(lorry);
+    let across = find(&case.g, &case.seen(), Use::Auto)[1];
+    assert!(across.fit.convinces(), "{across:?}");
+    assert!(!across.used(), "{across:?}");
+}
+
+#[test]
 fn what_is_not_symmetric_does_not_convince() {
     let mut crooked = van(|p| if p.y > 0.0 { stripes(p) } else { [0.1, 0.1, 0.4 + 0.3 * p.x] });
     crooked.extend(&boxed(Vec3::new(-0.7, -0.9, -0.4), Vec3::new(-0.3, -0.35, 0.7), |_| [0.9, 0.8, 0.1]));
