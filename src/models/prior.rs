@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.22",
-    sha256: "cb32f7e565a6cc3544f620bd822e26e9886945726da74e64fb50bc48683b8b21",
+    version: "0.23",
+    sha256: "6cf0a4a527683d8043ea276c7a0e8cff5e8533e18fc87bbee6eaf18548fee5ce",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
