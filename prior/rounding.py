@@ -29,8 +29,7 @@ def rounded(matrix, moments):
     levels, scales = torch.from_numpy(LEVELS), torch.from_numpy(SCALES)
     between = (levels[1:] + levels[:-1]) / 2
     left = matrix.double().clone()
-    damped = moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64)
-    inverse = torch.linalg.cholesky(torch.cholesky_inverse(torch.linalg.cholesky(damped)), upper=True)
+    inverse = torch.linalg.cholesky(torch.cholesky_inverse(torch.linalg.cholesky(damped(moments))), upper=True)
     result = torch.empty_like(matrix, dtype=torch.float32)
     width = group_width(len(matrix))
 
@@ -47,6 +46,11 @@ def rounded(matrix, moments):
             lost = (left[i] - result[i]) / inverse[i, i]
             left[i + 1 :] -= inverse[i, i + 1 :, None] * lost
     return result
+
+
+def damped(moments):
+    """Moments that can be inverted, [n, n] float64."""
+    return moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64)
 
 
 @torch.no_grad()
@@ -79,9 +83,8 @@ def fitted(matrix, moments, wanted):
     moments [in, in] and wanted [in, out]: sums of products of inputs, and of inputs and wanted answers. Least squares, drawn to `matrix` by
     the same damping as in `rounded` (Li et al. 2025, GPTAQ: what has been rounded before is seen by the layers after it).
     """
-    damped = moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64)
     lacking = wanted.double() - moments.double() @ matrix.double()
-    return (matrix + torch.cholesky_solve(lacking, torch.linalg.cholesky(damped))).float()
+    return (matrix + torch.cholesky_solve(lacking, torch.linalg.cholesky(damped(moments)))).float()
 
 
 Seen = namedtuple("Seen", "input answer residual")
