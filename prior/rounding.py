@@ -6,7 +6,7 @@ WEIGHTS: .pt of a training, or .onnx. OUT.pt: for export.py, which stores its ma
 input by input, and what an input's weights lose the weights of those that come after it make up for, as far as inputs go together
 (GPTQ, Frantar et al. 2023, algorithm 1); how they go together is seen on generated crops that no training draws, block after block,
 with the blocks before already rounded. What these have lost a layer makes up for as well, by its biases too, as far as it can be told
-from what the layer gets. No GPU needed; a quarter of an hour for 128 crops on two cores.
+from what the layer gets. No GPU needed; half an hour for 128 crops on two cores that have other work.
 """
 
 import argparse
