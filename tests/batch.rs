@@ -9,9 +9,10 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 const AS_OF: &str = "--as-of=2026-01-31T12:00:00.000Z";
-const OPTIONS: [&str; 7] = [
+const OPTIONS: [&str; 8] = [
     "--format=cdb,glb",
-    "--iterations=8",
+    "--iterations=2",
+    "--lods=1",
     "--device=cpu",
     "--triangles=1000",
     "--texture=256",
