@@ -56,7 +56,7 @@ fn trained(made: &Made, options: &Options, masked: bool) -> Scene {
 }
 
 fn brief() -> Options {
-    Options { iterations: 500, max_gaussians: 12_000, random_points: 6000, ..Options::default() }
+    Options { iterations: 800, max_gaussians: 20_000, random_points: 6000, ..Options::default() }
 }
 
 /// Mean PSNR of held-out views against the photos as a camera of fixed exposure takes them, nothing moving; the whole
@@ -182,7 +182,7 @@ fn exposures_are_compensated() {
 #[test]
 fn a_mask_hides_what_moves() {
     let moving = made(&site::Options { moving: true, ..PLAIN });
-    let short = Options { iterations: 350, ..brief() };
+    let short = Options { iterations: 500, ..brief() };
     let (with, without) = (trained(&moving, &short, true), trained(&moving, &short, false));
     // Where the van stands in the photos trained on, the scene shows what is behind it, not the van.
     let hidden = |s: &Scene| -> f64 {
