@@ -9,13 +9,14 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 const AS_OF: &str = "--as-of=2026-01-31T12:00:00.000Z";
-const OPTIONS: [&str; 8] = [
+const OPTIONS: [&str; 9] = [
     "--format=cdb,glb",
     "--iterations=2",
     "--lods=1",
     "--device=cpu",
     "--triangles=1000",
     "--texture=256",
+    "--symmetry=off",
     "--length=2.5",
     "--seed=7",
 ];

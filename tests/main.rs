@@ -39,5 +39,5 @@ mod sets;
 #[cfg(feature = "view")]
 mod viewed;
 
-/// A small model: where it is put, who signs it and what networks it takes do not depend on how fine it is.
-const SMALL: [&str; 6] = ["--lods", "1", "--triangles", "1000", "--texture", "256"];
+/// A small model, without a search for planes of symmetry: where it is put, who signs it and what networks it takes depend on neither.
+const SMALL: [&str; 8] = ["--lods", "1", "--triangles", "1000", "--texture", "256", "--symmetry", "off"];
