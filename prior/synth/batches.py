@@ -92,11 +92,11 @@ def subjects(pool, n, slender):
 
 
 def elevations(like):
-    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, three in twenty
+    """Of cameras, radians, one a row of `like`: most photos are taken from the height of eyes or a little above, one in five
     from the air, up to straight above."""
     kind = uniform(like, 0, 1)
-    usual = torch.where(kind < 0.46, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
-    return torch.where(kind < 0.68, usual, torch.where(kind < 0.85, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
+    usual = torch.where(kind < 0.43, uniform(like, -0.02, 0.5), uniform(like, -0.08, 0.95))
+    return torch.where(kind < 0.64, usual, torch.where(kind < 0.8, uniform(like, -0.3, 0.12), uniform(like, 0.6, STEEPEST)))
 
 
 def lowered(elevation, flies):

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.23",
-    sha256: "6cf0a4a527683d8043ea276c7a0e8cff5e8533e18fc87bbee6eaf18548fee5ce",
+    version: "0.24",
+    sha256: "c25d57f3afa095e551e9a94f4c506d319d9df7d2232c97e3dafa963174b15734",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
