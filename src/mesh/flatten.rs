@@ -5,7 +5,8 @@
 //! along the filtered normals of its faces onto their planes (equation 8).
 
 use super::{Surface, cross};
-use glam::{Vec3, Vec4};
+use crate::splat::simd::{Kernel, Simd, dispatch};
+use glam::Vec3;
 use rayon::prelude::*;
 
 /// How far and how often.
@@ -31,26 +32,7 @@ impl Default for Flattening {
 pub fn flatten(surface: &mut Surface, how: &Flattening, ground: Option<f32>) {
     let faces = &surface.triangles;
     let around = Around::new(surface.positions.len(), faces);
-    let mut normals: Vec<Vec3> = faces.par_iter().map(|t| cross(&surface.positions, t).normalize_or_zero()).collect();
-    let areas: Vec<f32> = faces.par_iter().map(|t| cross(&surface.positions, t).length()).collect();
-    // Side by side with the area, so that a face is one place in memory.
-    let mut sized: Vec<Vec4> = normals.iter().zip(&areas).map(|(n, a)| n.extend(*a)).collect();
-    for _ in 0..how.normal_rounds {
-        faces
-            .par_iter()
-            .zip(&sized)
-            .map(|(t, own)| {
-                let mut sum = Vec3::ZERO;
-                for g in t.iter().flat_map(|v| around.faces(*v)) {
-                    let other = sized[*g as usize];
-                    let alike = (own.truncate().dot(other.truncate()) - how.edge).max(0.0);
-                    sum += other.w * alike * alike * other.truncate();
-                }
-                sum.try_normalize().unwrap_or(own.truncate())
-            })
-            .collect_into_vec(&mut normals);
-        sized.par_iter_mut().zip(&normals).for_each(|(s, n)| *s = n.extend(s.w));
-    }
+    let normals = filtered(surface, &around, how);
     let start = surface.positions.clone();
     let on_ground = |p: Vec3| ground.is_some_and(|g| p.z <= g);
     for _ in 0..how.vertex_rounds {
@@ -74,6 +56,97 @@ pub fn flatten(surface: &mut Surface, how: &Flattening, ground: Option<f32>) {
             })
             .collect();
         surface.positions = moved;
+    }
+}
+
+/// Faces whose normals are filtered side by side.
+const SIDE: usize = 16;
+/// Of [`SIDE`] faces the numbers of all that touch a corner of theirs, corner by corner; a column a face.
+type Beside = Vec<[u32; SIDE]>;
+
+/// The faces' normals after all rounds.
+fn filtered(surface: &Surface, around: &Around, how: &Flattening) -> Vec<Vec3> {
+    let faces = &surface.triangles;
+    // Who has fewer faces around than those beside it counts the one after the last, which has no area.
+    let none = faces.len() as u32;
+    let beside = |faces: &[[u32; 3]]| -> Beside {
+        let list = |t: &[u32; 3]| t.map(|v| around.faces(v));
+        let rows = faces.iter().map(|t| list(t).iter().map(|l| l.len()).sum()).max().unwrap_or(0);
+        let mut beside = vec![[none; SIDE]; rows];
+        for (column, t) in faces.iter().enumerate() {
+            for (row, face) in beside.iter_mut().zip(list(t).into_iter().flatten()) {
+                row[column] = *face;
+            }
+        }
+        beside
+    };
+    let beside: Vec<Beside> = faces.par_chunks(SIDE).map(beside).collect();
+    // Side by side with the area, so that a face is one place in memory.
+    let sized = |t: &[u32; 3]| {
+        let n = cross(&surface.positions, t);
+        n.normalize_or_zero().extend(n.length()).to_array()
+    };
+    let mut from: Vec<[f32; 4]> = faces.par_iter().map(sized).collect();
+    from.push([0.0; 4]);
+    let mut to = from.clone();
+    for _ in 0..how.normal_rounds {
+        to[..faces.len()]
+            .par_chunks_mut(SIDE)
+            .zip(&beside)
+            .enumerate()
+            .with_min_len(64)
+            .for_each(|(k, (to, beside))| dispatch(Means { from: &from, beside, first: k * SIDE, edge: how.edge, to }));
+        std::mem::swap(&mut from, &mut to);
+    }
+    from.pop();
+    from.into_iter().map(|[x, y, z, _]| Vec3::new(x, y, z)).collect()
+}
+
+/// One round over the normals of at most [`SIDE`] faces from `first` on. Terms are added face by face in the order of `beside`,
+/// so that no result depends on the number of lanes.
+struct Means<'a> {
+    from: &'a [[f32; 4]],
+    beside: &'a Beside,
+    first: usize,
+    edge: f32,
+    to: &'a mut [[f32; 4]],
+}
+
+impl Kernel for Means<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        let Means { from, beside, first, edge, to } = self;
+        let (zero, edge) = (s.splat(0.0), s.splat(edge));
+        for (part, to) in to.chunks_mut(S::LANES).enumerate() {
+            let lanes = part * S::LANES..(part + 1) * S::LANES;
+            let last = from.len() - 1;
+            let own: [u32; SIDE] = std::array::from_fn(|i| (first + lanes.start + i).min(last) as u32);
+            let [x, y, z, _] = s.gather(from, &own);
+            let mut sum = [zero; 3];
+            for row in beside {
+                let [nx, ny, nz, area] = s.gather(from, &row[lanes.clone()]);
+                let cosine = s.add(s.add(s.mul(x, nx), s.mul(y, ny)), s.mul(z, nz));
+                let alike = s.sub(cosine, edge);
+                let alike = s.select(s.gt(alike, zero), alike, zero);
+                let weight = s.mul(s.mul(area, alike), alike);
+                for (sum, n) in sum.iter_mut().zip([nx, ny, nz]) {
+                    *sum = s.add(*sum, s.mul(weight, n));
+                }
+            }
+            let mut sums = [[0.0; SIDE]; 3];
+            for (sum, to) in sum.into_iter().zip(&mut sums) {
+                s.store(sum, to);
+            }
+            for (i, to) in to.iter_mut().enumerate() {
+                if let Some(n) = Vec3::new(sums[0][i], sums[1][i], sums[2][i]).try_normalize() {
+                    to[..3].copy_from_slice(&n.to_array());
+                } else {
+                    *to = from[own[i] as usize];
+                }
+            }
+        }
     }
 }
 

@@ -6,7 +6,7 @@ mod gaussians;
 pub(crate) mod packed;
 pub mod render;
 mod sh_rotation;
-mod simd;
+pub(crate) mod simd;
 pub mod train;
 
 pub use camera::Camera;

@@ -39,6 +39,10 @@ pub trait Simd: Copy + Send + Sync {
     fn exp2(self, a: Self::F) -> Self::F;
     /// All lanes added, in a fixed order.
     fn sum(self, a: Self::F) -> f32;
+    /// Without what is behind the point, for |a| < 2³¹; of others any value.
+    fn whole(self, a: Self::F, to: &mut [i32]);
+    /// `from[at[lane]]` of every lane: the first numbers of all, the second, third and fourth ones.
+    fn gather(self, from: &[[f32; 4]], at: &[u32]) -> [Self::F; 4];
 }
 
 /// Work that [`dispatch`] runs with the processor's widest instructions. Mark `run` `#[inline(always)]`.
@@ -57,6 +61,15 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
         if let Some(simd) = x86::Avx2::detect() {
             return simd.vectorize(kernel);
         }
+    }
+    kernel.run(Portable)
+}
+
+/// The same in eight lanes, for rows that are no longer.
+pub fn dispatch_eight<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = x86::Avx2::detect() {
+        return simd.vectorize(kernel);
     }
     kernel.run(Portable)
 }
@@ -173,6 +186,22 @@ impl Simd for Portable {
     fn sum(self, a: Array) -> f32 {
         ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]))
     }
+    #[inline(always)]
+    fn whole(self, a: Array, to: &mut [i32]) {
+        for (to, a) in to[..8].iter_mut().zip(a) {
+            *to = a as i32;
+        }
+    }
+    #[inline(always)]
+    fn gather(self, from: &[[f32; 4]], at: &[u32]) -> [Array; 4] {
+        let mut out = [[0.0; 8]; 4];
+        for (lane, at) in at[..8].iter().enumerate() {
+            for (out, value) in out.iter_mut().zip(from[*at as usize]) {
+                out[lane] = value;
+            }
+        }
+        out
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -210,6 +239,13 @@ pub mod x86 {
                 // SAFETY: `self` proves the instruction set; slices are indexed to LANES before their pointer is used.
                 unsafe { $body }
             })*
+        };
+    }
+
+    /// One entry of [`Simd::gather`], found by a checked index.
+    macro_rules! four {
+        ($from:ident, $at:expr) => {
+            _mm_loadu_ps($from[$at as usize].as_ptr())
         };
     }
 
@@ -255,6 +291,27 @@ pub mod x86 {
                 let h = _mm_add_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps::<1>(a));
                 let h = _mm_add_ps(h, _mm_movehl_ps(h, h));
                 _mm_cvtss_f32(_mm_add_ss(h, _mm_shuffle_ps::<1>(h, h)))
+            }
+            fn whole(self, a: __m256, to: &mut [i32]) -> () {
+                _mm256_storeu_si256(to[..8].as_mut_ptr().cast(), _mm256_cvttps_epi32(a))
+            }
+            fn gather(self, from: &[[f32; 4]], at: &[u32]) -> [__m256; 4] {
+                let at: &[u32] = &at[..8];
+                // Lanes `i` and `i + 4`, in the two halves; then 4 × 4 numbers are transposed in each.
+                macro_rules! pair {
+                    ($i:literal) => {
+                        _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(four!(from, at[$i])), four!(from, at[$i + 4]))
+                    };
+                }
+                let (a, b, c, d) = (pair!(0), pair!(1), pair!(2), pair!(3));
+                let (ab, cd) = (_mm256_unpacklo_ps(a, b), _mm256_unpacklo_ps(c, d));
+                let (ab2, cd2) = (_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d));
+                [
+                    _mm256_shuffle_ps::<0x44>(ab, cd),
+                    _mm256_shuffle_ps::<0xee>(ab, cd),
+                    _mm256_shuffle_ps::<0x44>(ab2, cd2),
+                    _mm256_shuffle_ps::<0xee>(ab2, cd2),
+                ]
             }
         }
     }
@@ -327,6 +384,30 @@ pub mod x86 {
                 let h = _mm_add_ps(h, _mm_movehl_ps(h, h));
                 _mm_cvtss_f32(_mm_add_ss(h, _mm_shuffle_ps::<1>(h, h)))
             }
+            fn whole(self, a: __m512, to: &mut [i32]) -> () {
+                _mm512_storeu_si512(to[..16].as_mut_ptr().cast(), _mm512_cvttps_epi32(a))
+            }
+            fn gather(self, from: &[[f32; 4]], at: &[u32]) -> [__m512; 4] {
+                let at: &[u32] = &at[..16];
+                // Lanes `i`, `i + 4`, `i + 8` and `i + 12`, in the four quarters; then 4 × 4 numbers are transposed in each.
+                macro_rules! quad {
+                    ($i:literal) => {{
+                        let low = _mm512_castps128_ps512(four!(from, at[$i]));
+                        let low = _mm512_insertf32x4::<1>(low, four!(from, at[$i + 4]));
+                        let low = _mm512_insertf32x4::<2>(low, four!(from, at[$i + 8]));
+                        _mm512_insertf32x4::<3>(low, four!(from, at[$i + 12]))
+                    }};
+                }
+                let (a, b, c, d) = (quad!(0), quad!(1), quad!(2), quad!(3));
+                let (ab, cd) = (_mm512_unpacklo_ps(a, b), _mm512_unpacklo_ps(c, d));
+                let (ab2, cd2) = (_mm512_unpackhi_ps(a, b), _mm512_unpackhi_ps(c, d));
+                [
+                    _mm512_shuffle_ps::<0x44>(ab, cd),
+                    _mm512_shuffle_ps::<0xee>(ab, cd),
+                    _mm512_shuffle_ps::<0x44>(ab2, cd2),
+                    _mm512_shuffle_ps::<0xee>(ab2, cd2),
+                ]
+            }
         }
     }
 }
@@ -355,6 +436,15 @@ mod tests {
             let m = s.gt(s.load(&ramp), s.splat(2.5));
             s.store(s.select(m, s.splat(1.0), s.splat(0.0)), &mut y);
             assert_eq!(&y[..5], &[0.0, 0.0, 0.0, 1.0, 1.0]);
+            let mut whole = [0i32; 16];
+            s.whole(s.add(s.load(&ramp), s.splat(0.999)), &mut whole);
+            assert!((0..S::LANES).all(|i| whole[i] == i as i32), "{whole:?}");
+            let from: Vec<[f32; 4]> = (0..40).map(|i| std::array::from_fn(|k| (10 * i + k) as f32)).collect();
+            let at: [u32; 16] = std::array::from_fn(|i| (7 * i as u32 + 3) % 40);
+            for (k, numbers) in s.gather(&from, &at).into_iter().enumerate() {
+                s.store(numbers, &mut y);
+                assert!((0..S::LANES).all(|i| y[i] == (10 * at[i] as usize + k) as f32), "{k}: {y:?}");
+            }
             worst
         }
     }
