@@ -3,7 +3,7 @@
 
 use super::{SUBJECT_RADIUS, View};
 use crate::splat::Camera;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
 /// One view made ready for fusion.
@@ -11,14 +11,6 @@ pub struct DepthMap {
     pub(super) camera: Camera,
     /// z > 0: surface `[z, ∂z/∂u, ∂z/∂v, c]`, c = perpendicular over z-distance; z = 0: `[0, 0, 0, trust]` of seeing through.
     pub(super) texels: Vec<[f32; 4]>,
-}
-
-/// What a view says of a point.
-pub(super) enum Sight {
-    /// There is nothing along the ray, with this trust.
-    Through(f32),
-    /// (perpendicular distance in front of the surface, cosine-like straightness of the view).
-    Surface(f32, f32),
 }
 
 impl DepthMap {
@@ -63,8 +55,8 @@ impl DepthMap {
         DepthMap { camera, texels }
     }
 
-    /// What this view says of a point in its camera coordinates; None outside the picture.
-    pub(super) fn distance(&self, p: Vec3) -> Option<Sight> {
+    /// The texel that shows a point in the camera's coordinates, and how far from its middle, pixels; None outside the picture.
+    pub(super) fn texel(&self, p: Vec3) -> Option<(&[f32; 4], Vec2)> {
         let c = &self.camera;
         if p.z <= 1e-3 {
             return None;
@@ -76,12 +68,16 @@ impl DepthMap {
         }
         // Casts, not floor(): that is a call on plain x86-64.
         let (column, row) = (u as u32, v as u32);
-        let t = &self.texels[(row * c.width + column) as usize];
-        if t[0] == 0.0 {
-            return Some(Sight::Through(t[3]));
-        }
-        let surface = t[0] + t[1] * (u - column as f32 - 0.5) + t[2] * (v - row as f32 - 0.5);
-        Some(Sight::Surface((surface - p.z) * t[3], t[3]))
+        let off = Vec2::new(u - column as f32 - 0.5, v - row as f32 - 0.5);
+        Some((&self.texels[(row * c.width + column) as usize], off))
+    }
+
+    /// How far in front of the surface a point in the camera's coordinates lies, perpendicular to it, and how straight the view
+    /// is, like a cosine; None where the view shows no surface.
+    pub(super) fn distance(&self, p: Vec3) -> Option<(f32, f32)> {
+        let (t, off) = self.texel(p)?;
+        let surface = t[0] + t[1] * off.x + t[2] * off.y;
+        (t[0] != 0.0).then_some(((surface - p.z) * t[3], t[3]))
     }
 
     /// Surface points and their outward normals.
@@ -125,9 +121,7 @@ pub(super) fn disagreement(maps: &[DepthMap]) -> f32 {
                     .iter()
                     .filter(|(p, n)| n.dot((other.camera.position() - *p).normalize_or_zero()) > 0.5)
                     .filter_map(|(p, _)| other.distance(other.camera.rotation * *p + other.camera.translation))
-                    .filter_map(
-                        |seen| if let Sight::Surface(d, c) = seen { (c > 0.4).then_some(d.abs()) } else { None },
-                    )
+                    .filter_map(|(d, straight)| (straight > 0.4).then_some(d.abs()))
                     .filter(|d| *d < OTHER)
                     .collect::<Vec<f32>>()
             })

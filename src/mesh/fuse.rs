@@ -11,7 +11,8 @@
 //! How far the views disagree is measured first: it sets how fine the grid is and how much it is smoothed.
 
 use super::SUBJECT_RADIUS;
-use super::depth_map::{DepthMap, Sight, disagreement};
+use super::depth_map::{DepthMap, disagreement};
+use crate::splat::simd::{Kernel, Simd, dispatch_eight};
 use crate::{Error, Result};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -166,10 +167,18 @@ pub(super) fn blur(volume: &mut Volume) {
     let [nx, ny, nz] = volume.dims;
     for (stride, count, axis) in [(1, nx, 0), (nx, ny, 1), (nx * ny, nz, 2)] {
         let from = volume.data.clone();
-        volume.data.par_iter_mut().enumerate().for_each(|(i, value)| {
-            let at = [i % nx, i / nx % ny, i / (nx * ny)][axis];
-            if at > 0 && at + 1 < count {
-                *value = 0.25 * (from[i - stride] + from[i + stride]) + 0.5 * from[i];
+        volume.data.par_chunks_mut(nx).enumerate().for_each(|(row, line)| {
+            let own = &from[row * nx..(row + 1) * nx];
+            let at = [1, row % ny, row / ny][axis];
+            if axis == 0 {
+                for (value, near) in line.iter_mut().skip(1).zip(own.windows(3)) {
+                    *value = 0.25 * (near[0] + near[2]) + 0.5 * near[1];
+                }
+            } else if at > 0 && at + 1 < count {
+                let (before, after) = (&from[row * nx - stride..], &from[row * nx + stride..]);
+                for (((value, own), before), after) in line.iter_mut().zip(own).zip(before).zip(after) {
+                    *value = 0.25 * (before + after) + 0.5 * own;
+                }
             }
         });
     }
@@ -307,28 +316,80 @@ impl<'a> Fused<'a> {
 
     /// Adds what the view says of a row of samples from `x` on.
     pub(super) fn accumulate(&self, grid: &Volume, x: usize, [y, z]: [usize; 2], sums: &mut [[f32; 2]]) {
-        let c = &self.map.camera;
-        let truncation = grid.truncation;
-        let start = c.rotation * grid.position(0, y, z) + c.translation;
-        let step = c.rotation.x_axis * grid.voxel;
-        for (x, sum) in (x..).zip(sums) {
-            let (distance, weight) = match self.map.distance(start + step * x as f32) {
-                None => continue,
-                Some(Sight::Through(trust)) => (truncation, self.through * trust),
-                Some(Sight::Surface(d, straight)) => {
-                    let d = d - self.sheet;
-                    if d > truncation {
-                        (truncation, self.through)
-                    } else if d < -truncation {
-                        (-truncation, HIDDEN)
-                    } else {
-                        let near = self.softening / (d.abs() + self.softening);
-                        (d, 4.0 * near * near * straight * straight)
-                    }
-                }
+        let rotation = &self.map.camera.rotation;
+        let start = *rotation * grid.position(0, y, z) + self.map.camera.translation;
+        let step = rotation.x_axis * grid.voxel;
+        dispatch_eight(Row { view: self, truncation: grid.truncation, start, step, x, sums });
+    }
+}
+
+/// A row of samples in the camera's coordinates, the `x`th and those after it; the 0th is at `start`.
+struct Row<'a> {
+    view: &'a Fused<'a>,
+    truncation: f32,
+    start: Vec3,
+    step: Vec3,
+    x: usize,
+    sums: &'a mut [[f32; 2]],
+}
+
+impl Kernel for Row<'_> {
+    type Output = ();
+
+    /// [`DepthMap::distance`] of many points, to the bit, and what it weighs.
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        /// No fewer than lanes.
+        const MOST: usize = 16;
+        let Row { view: Fused { map, softening, through, sheet, .. }, start, step, x, sums, .. } = self;
+        let c = &map.camera;
+        let zero = s.splat(0.0);
+        let (truncation, behind) = (s.splat(self.truncation), s.splat(-self.truncation));
+        let (softening, through, hidden) = (s.splat(*softening), s.splat(*through), s.splat(HIDDEN));
+        let ramp: [f32; MOST] = std::array::from_fn(|i| i as f32);
+        let along = |at: S::F, axis: usize| s.add(s.splat(start[axis]), s.mul(s.splat(step[axis]), at));
+        for (k, sums) in sums.chunks_mut(S::LANES).enumerate() {
+            let at = s.add(s.splat((x + k * S::LANES) as f32), s.load(&ramp));
+            let pz = along(at, 2);
+            let inverse = s.div(s.splat(1.0), pz);
+            let pixel = |axis: usize, focal: f32, middle: f32| {
+                s.add(s.mul(s.mul(s.splat(focal), along(at, axis)), inverse), s.splat(middle))
             };
-            sum[0] += weight * distance;
-            sum[1] += weight;
+            let (u, v) = (pixel(0, c.fx, c.cx), pixel(1, c.fy, c.cy));
+            let within = |a: S::F, size: u32| s.and(s.ge(a, zero), s.gt(s.splat(size as f32), a));
+            let inside = s.and(s.gt(pz, s.splat(1e-3)), s.and(within(u, c.width), within(v, c.height)));
+            if !s.any(inside) {
+                continue;
+            }
+            let (u, v) = (s.select(inside, u, zero), s.select(inside, v, zero));
+            let (mut columns, mut rows) = ([0; MOST], [0; MOST]);
+            s.whole(u, &mut columns);
+            s.whole(v, &mut rows);
+            let texels: [u32; MOST] = std::array::from_fn(|i| rows[i] as u32 * c.width + columns[i] as u32);
+            let off = |a: S::F, whole: &[i32; MOST]| {
+                let whole = whole.map(|w| w as f32);
+                s.sub(s.sub(a, s.load(&whole)), s.splat(0.5))
+            };
+            let [depth, across, down, straight] = s.gather(&map.texels, &texels);
+            let surface = s.add(s.add(depth, s.mul(across, off(u, &columns))), s.mul(down, off(v, &rows)));
+            let d = s.sub(s.mul(s.sub(surface, pz), straight), s.splat(*sheet));
+            let away = s.select(s.ge(d, zero), d, s.sub(zero, d));
+            let near = s.div(softening, s.add(away, softening));
+            let weight = s.mul(s.mul(s.mul(s.mul(s.splat(4.0), near), near), straight), straight);
+            let pick =
+                |far: S::M, to: (S::F, S::F), or: (S::F, S::F)| (s.select(far, to.0, or.0), s.select(far, to.1, or.1));
+            let seen = pick(s.gt(behind, d), (behind, hidden), (d, weight));
+            let seen = pick(s.gt(d, truncation), (truncation, through), seen);
+            let nothing = (truncation, s.mul(through, straight));
+            let (distance, weight) = pick(s.gt(depth, zero), seen, nothing);
+            let weight = s.select(inside, weight, zero);
+            let (mut products, mut weights) = ([0.0; MOST], [0.0; MOST]);
+            s.store(s.mul(weight, distance), &mut products);
+            s.store(weight, &mut weights);
+            for (sum, (product, weight)) in sums.iter_mut().zip(products.iter().zip(&weights)) {
+                sum[0] += product;
+                sum[1] += weight;
+            }
         }
     }
 }
@@ -376,6 +437,40 @@ mod tests {
             let near_the_rim = matches!(view.of_block(&grid, &[1..2, 1..2, 1..2]), Whole::Mixed | Whole::Same(_));
             assert!(near_the_rim, "{cx}, {cy}");
         }
+    }
+
+    #[test]
+    fn rows_of_samples_say_what_single_points_do() {
+        let grid = fused(&scenes::sphere(0.7));
+        let mut shown = [0; 4];
+        for camera in scenes::depth_cameras(6, 96) {
+            let map = DepthMap::new(&scenes::plate(0.2).render(&camera));
+            let view = Fused::new(&map, &grid, 0.02, 0.004);
+            for (y, z) in (0..grid.dims[1]).step_by(3).flat_map(|y| (0..grid.dims[2]).step_by(5).map(move |z| (y, z))) {
+                let mut sums = vec![[0f32; 2]; grid.dims[0] - 1];
+                view.accumulate(&grid, 1, [y, z], &mut sums);
+                let start = camera.rotation * grid.position(0, y, z) + camera.translation;
+                for (x, sum) in (1..).zip(sums) {
+                    let point = start + camera.rotation.x_axis * grid.voxel * x as f32;
+                    let (kind, distance, weight) = match (map.distance(point), map.texel(point)) {
+                        (None, None) => (0, 0.0, 0.0),
+                        (None, Some((t, _))) => (1, grid.truncation, view.through * t[3]),
+                        (Some((d, straight)), _) => {
+                            let d = d - view.sheet;
+                            let near = view.softening / (d.abs() + view.softening);
+                            match d.clamp(-grid.truncation, grid.truncation) {
+                                far if far < d => (1, far, view.through),
+                                far if far > d => (2, far, HIDDEN),
+                                _ => (3, d, 4.0 * near * near * straight * straight),
+                            }
+                        }
+                    };
+                    shown[kind] += 1;
+                    assert_eq!(sum, [weight * distance, weight], "{x} {y} {z}");
+                }
+            }
+        }
+        assert!(shown[1..].iter().all(|n| *n > 100), "{shown:?}");
     }
 
     #[test]
