@@ -274,45 +274,42 @@ pub fn preview_png(photo: &RgbImage, r: &Reconstruction, marking: &Marking) -> R
     let directions: Vec<[f32; 2]> =
         AROUND.iter().map(|a| [*a, 15.0]).chain([[0.0, 89.0], [0.0, -60.0], [30.0, 20.0]]).collect();
     let cameras = views::framed(&finest.mesh.positions, &directions, 384);
-    let turned = AROUND.iter().zip(&cameras).map(|(a, camera)| tile(draw(finest, camera), &format!("model {a}")));
+    let [turned, known, expected] = around(r, finest, &cameras[..AROUND.len()], &AROUND);
     let mut last = vec![tile(draw(finest, &cameras[6]), "from above"), tile(draw(finest, &cameras[7]), "from below")];
     for level in &r.model.levels {
         let caption = format!("{} vertices", level.mesh.positions.len());
         last.push(tile(draw(level, &cameras[8]), &caption));
     }
-    let known = known_row(&r.model, &cameras[..6], symmetry::assumed(&r.symmetry));
-    let expected = r.expected_error.as_ref().map(|e| expected_row(finest, e, &cameras[..6]));
-    let rows: Vec<Vec<Tile>> = [what, six, turned.collect(), known].into_iter().chain(expected).chain([last]).collect();
+    let expected = r.expected_error.is_some().then_some(expected);
+    let rows: Vec<Vec<Tile>> = [what, six, turned, known].into_iter().chain(expected).chain([last]).collect();
     marked_png(&preview::sheet(&rows, &marking.banner()).into(), marking)
 }
 
-/// The model in the colours of how far the network expected its colours to be off; captions say what they mean.
-fn expected_row(finest: &Level, expected: &ExpectedError, cameras: &[Camera]) -> Vec<Tile> {
-    let shown = preview::error_colours(&expected.texture);
-    let most = preview::LARGEST_ERROR;
-    let legend = [
-        "expected error",
-        "dark: 0 of 255",
-        &format!("yellow: {most}"),
-        &format!("mean: {:.0}", 255.0 * expected.mean),
+/// The model from around: as it is, in the colours of where its texture comes from, and in those of how far the network expected
+/// its colours to be off (where it said so; else as it is). Captions say what the colours mean.
+fn around(r: &Reconstruction, finest: &Level, cameras: &[Camera], azimuths: &[f32]) -> [Vec<Tile>; 3] {
+    let known = provenance::shown(&r.model.provenance, &finest.texture);
+    let sources = [
+        "green: photo",
+        if symmetry::assumed(&r.symmetry) { "blue: assumed" } else { "blue: mirrored" },
+        "orange: invented",
     ];
-    let draw = |(i, camera): (usize, &Camera)| {
-        let image = mesh::raster(&finest.mesh, Some(&shown), camera, [255, 255, 255], 2);
-        tile(image, legend.get(i).copied().unwrap_or_default())
-    };
-    cameras.iter().enumerate().map(draw).collect()
-}
-
-/// The model in the colours of where its texture comes from; the first captions say which is which.
-fn known_row(model: &Model, cameras: &[Camera], assumed: bool) -> Vec<Tile> {
-    let level = &model.levels[0];
-    let shown = provenance::shown(&model.provenance, &level.texture);
-    let legend = ["green: photo", if assumed { "blue: assumed" } else { "blue: mirrored" }, "orange: invented"];
-    let draw = |(i, camera): (usize, &Camera)| {
-        let image = mesh::raster(&level.mesh, Some(&shown), camera, [255, 255, 255], 2);
-        tile(image, legend.get(i).copied().unwrap_or_default())
-    };
-    cameras.iter().enumerate().map(draw).collect()
+    let errors = r.expected_error.as_ref().map(|e| preview::error_colours(&e.texture));
+    let most = preview::LARGEST_ERROR;
+    let mean = r.expected_error.as_ref().map_or(0.0, |e| 255.0 * e.mean);
+    let legend = ["expected error", "dark: 0 of 255", &format!("yellow: {most}"), &format!("mean: {mean:.0}")];
+    let textures = [&finest.texture, &known, errors.as_ref().unwrap_or(&finest.texture)];
+    let mut rows = [const { Vec::new() }; 3];
+    for (i, (camera, azimuth)) in cameras.iter().zip(azimuths).enumerate() {
+        let pictures = mesh::rasters(&finest.mesh, textures, camera, [255, 255, 255], 2);
+        let angle = format!("model {azimuth}");
+        let captions =
+            [angle.as_str(), sources.get(i).copied().unwrap_or_default(), legend.get(i).copied().unwrap_or_default()];
+        for ((row, picture), caption) in rows.iter_mut().zip(pictures).zip(captions) {
+            row.push(tile(picture, caption));
+        }
+    }
+    rows
 }
 
 /// The file beside a model that says where its texture comes from.

@@ -2,6 +2,7 @@
 
 use font8x8::{BASIC_FONTS, UnicodeFonts};
 use image::{GrayImage, Rgb, RgbImage, imageops};
+use rayon::prelude::*;
 
 use crate::photo::Plane;
 
@@ -24,11 +25,11 @@ pub fn sheet(rows: &[Vec<Tile>], banner: &str) -> RgbImage {
     let mut top = BANNER;
     for (row, height) in rows.iter().zip(&heights) {
         let side = WIDTH / row.len().max(1) as u32;
-        for (i, tile) in row.iter().enumerate() {
+        let fitted: Vec<RgbImage> = row.par_iter().map(|tile| fit(&tile.image, side - 8)).collect();
+        for (i, (tile, fitted)) in row.iter().zip(&fitted).enumerate() {
             let left = i as u32 * side;
-            let fitted = fit(&tile.image, side - 8);
             let (dx, dy) = ((side - fitted.width()) / 2, (side - fitted.height()) / 2);
-            imageops::replace(&mut sheet, &fitted, (left + dx).into(), (top + dy).into());
+            imageops::replace(&mut sheet, fitted, (left + dx).into(), (top + dy).into());
             text(&mut sheet, &tile.caption, left + 6, top + side, 2);
         }
         top += height;

@@ -43,7 +43,7 @@ use glam::{Vec2, Vec3};
 use image::{GrayImage, RgbImage};
 
 pub use crate::splat::render::MEDIAN;
-pub use raster::raster;
+pub use raster::{raster, rasters};
 
 /// What a renderer sees from one camera; row-major, top row first, `camera.width · camera.height` entries each.
 #[derive(Clone, Debug)]
@@ -87,6 +87,10 @@ impl View {
     /// Share of light stopped, 0..1, scaled so that a surface is met from ½ on; 1 where the alpha is not finite.
     fn firmness(&self, pixel: usize) -> f32 {
         let alpha = if self.alpha[pixel].is_finite() { self.alpha[pixel] } else { 1.0 };
+        // Most of a picture is nothing.
+        if alpha == 0.0 {
+            return 0.0;
+        }
         1.0 - (1.0 - alpha).max(0.0).powf(MEDIAN.ln() / self.passing.ln())
     }
 

@@ -50,6 +50,17 @@ fn weights([a, b, c]: &[Vec2; 3], p: Vec2) -> Option<Vec3> {
     (u >= -1e-5 && v >= -1e-5 && w >= -1e-5).then_some(Vec3::new(u, v, w))
 }
 
+/// Whether [`weights`] are sure to say that a point lies outside: without its divisions, and a little more strictly than they
+/// could be rounded.
+fn beside([a, b, c]: &[Vec2; 3], p: Vec2) -> bool {
+    let area = (*b - *a).perp_dot(*c - *a);
+    let v = (p - *a).perp_dot(*c - *a);
+    let w = (*b - *a).perp_dot(p - *a);
+    let (size, v, w) = if area < 0.0 { (-area, -v, -w) } else { (area, v, w) };
+    let least = -2e-5 * size;
+    v < least || w < least || v + w > 1.001 * size
+}
+
 /// The z-buffer of a mesh, both sides of every triangle.
 pub fn visibility(positions: &[Vec3], triangles: &[[u32; 3]], camera: &Camera) -> Seen {
     let projected = project(positions, triangles, camera);
@@ -72,9 +83,13 @@ pub fn visibility(positions: &[Vec3], triangles: &[[u32; 3]], camera: &Camera) -
                     let to = |v: f32, base: usize, n: usize| {
                         ((v - 0.5).floor() - base as f32 + 1.0).clamp(0.0, n as f32) as usize
                     };
+                    let columns = from(lo.x, 0)..to(hi.x, 0, width);
                     for y in from(lo.y, top)..to(hi.y, top, rows) {
-                        for x in from(lo.x, 0)..to(hi.x, 0, width) {
+                        for x in columns.clone() {
                             let p = Vec2::new(x as f32 + 0.5, (top + y) as f32 + 0.5);
+                            if beside(corners, p) {
+                                continue;
+                            }
                             let Some(w) = weights(corners, p) else { continue };
                             let z = 1.0 / w.dot(*inverse_z);
                             let i = y * width + x;
@@ -102,10 +117,10 @@ pub fn texture_at(texture: &RgbImage, uv: Vec2) -> [f32; 3] {
     let (x0, y0) = (x as u32, y as u32);
     let (x1, y1) = ((x0 + 1).min(w - 1), (y0 + 1).min(h - 1));
     let (tx, ty) = (x - x0 as f32, y - y0 as f32);
+    let [a, b, c, d] = [(x0, y0), (x1, y0), (x0, y1), (x1, y1)].map(|(x, y)| texture.get_pixel(x, y).0.map(f32::from));
     std::array::from_fn(|k| {
-        let at = |x, y| texture.get_pixel(x, y).0[k] as f32;
-        let top = at(x0, y0) * (1.0 - tx) + at(x1, y0) * tx;
-        let bottom = at(x0, y1) * (1.0 - tx) + at(x1, y1) * tx;
+        let top = a[k] * (1.0 - tx) + b[k] * tx;
+        let bottom = c[k] * (1.0 - tx) + d[k] * tx;
         top * (1.0 - ty) + bottom * ty
     })
 }
@@ -120,15 +135,39 @@ pub fn raster(
     background: [u8; 3],
     supersample: u32,
 ) -> RgbImage {
-    let background = background.map(|c| to_linear(c as f32 / 255.0));
-    let pixels: Vec<[u8; 3]> = covered(mesh, texture, camera, supersample)
-        .into_par_iter()
-        .map(|[r, g, b, share]| {
-            let own = [r, g, b];
-            std::array::from_fn(|k| to_byte(own[k] + (1.0 - share) * background[k]))
+    let [picture] = match texture {
+        Some(texture) => rasters(mesh, [texture], camera, background, supersample),
+        None => composed(&covered(mesh, camera, supersample, lamp(mesh, camera)), camera, background),
+    };
+    picture
+}
+
+/// [`raster`] of one mesh in several textures: what is seen where is found once.
+pub fn rasters<const N: usize>(
+    mesh: &Mesh,
+    textures: [&RgbImage; N],
+    camera: &Camera,
+    background: [u8; 3],
+    supersample: u32,
+) -> [RgbImage; N] {
+    composed(&covered(mesh, camera, supersample, painted(mesh, textures)), camera, background)
+}
+
+/// Pictures of what [`covered`] found, before a background.
+fn composed<const N: usize>(pixels: &[([[f32; 3]; N], f32)], camera: &Camera, background: [u8; 3]) -> [RgbImage; N] {
+    let linear = background.map(|c| to_linear(c as f32 / 255.0));
+    let nothing = [linear.map(to_byte); N];
+    let bytes: Vec<[[u8; 3]; N]> = pixels
+        .par_iter()
+        .map(|(own, share)| match *share > 0.0 {
+            true => own.map(|own| std::array::from_fn(|k| to_byte(own[k] + (1.0 - share) * linear[k]))),
+            false => nothing,
         })
         .collect();
-    RgbImage::from_fn(camera.width, camera.height, |x, y| Rgb(pixels[(y * camera.width + x) as usize]))
+    std::array::from_fn(|n| {
+        let at = |x: u32, y: u32| bytes[(y * camera.width + x) as usize][n];
+        RgbImage::from_fn(camera.width, camera.height, |x, y| Rgb(at(x, y)))
+    })
 }
 
 /// A mesh without what is behind it: straight colours (sRGB 0..1, `nothing` where there is none) and the share of each pixel
@@ -140,53 +179,70 @@ pub fn cut_out(
     supersample: u32,
     nothing: [f32; 3],
 ) -> (Vec<[f32; 3]>, Vec<f32>) {
-    let straight = |[r, g, b, share]: [f32; 4]| {
-        let color = if share > 0.0 { [r, g, b].map(|c| to_srgb((c / share).clamp(0.0, 1.0))) } else { nothing };
+    let straight = |([own], share): ([[f32; 3]; 1], f32)| {
+        let color = if share > 0.0 { own.map(|c| to_srgb((c / share).clamp(0.0, 1.0))) } else { nothing };
         (color, share)
     };
-    covered(mesh, Some(texture), camera, supersample).into_par_iter().map(straight).unzip()
+    covered(mesh, camera, supersample, painted(mesh, [texture])).into_par_iter().map(straight).unzip()
 }
 
-/// Of each pixel the mean over its samples: linear light, 0 beside the mesh, and the share of samples on it.
-fn covered(mesh: &Mesh, texture: Option<&RgbImage>, camera: &Camera, supersample: u32) -> Vec<[f32; 4]> {
+/// The colour of a point of a mesh in each texture, linear light: of a triangle's number and barycentric coordinates.
+fn painted<const N: usize>(mesh: &Mesh, textures: [&RgbImage; N]) -> impl Fn(usize, Vec3) -> [[f32; 3]; N] {
+    let table = Linear::default();
+    move |t, w| {
+        let [a, b, c] = mesh.triangles[t].map(|v| v as usize);
+        let uv = mesh.uvs[a] * w.x + mesh.uvs[b] * w.y + mesh.uvs[c] * w.z;
+        textures.map(|texture| texture_at(texture, uv).map(|v| table.of(v / 255.0)))
+    }
+}
+
+/// The same of grey under a lamp at the camera.
+fn lamp(mesh: &Mesh, camera: &Camera) -> impl Fn(usize, Vec3) -> [[f32; 3]; 1] {
+    let eye = camera.position();
+    move |t, w| {
+        let [a, b, c] = mesh.triangles[t].map(|v| v as usize);
+        let n = mesh.normals[a] * w.x + mesh.normals[b] * w.y + mesh.normals[c] * w.z;
+        let p = mesh.positions[a] * w.x + mesh.positions[b] * w.y + mesh.positions[c] * w.z;
+        let lit = n.normalize_or_zero().dot((eye - p).normalize_or_zero()).max(0.0);
+        [[0.05 + 0.65 * lit; 3]]
+    }
+}
+
+/// Of each pixel the mean over its samples: what they are coloured, 0 beside the mesh, and the share of samples on it.
+fn covered<const N: usize>(
+    mesh: &Mesh,
+    camera: &Camera,
+    supersample: u32,
+    color: impl Fn(usize, Vec3) -> [[f32; 3]; N] + Sync,
+) -> Vec<([[f32; 3]; N], f32)> {
     let s = supersample.clamp(1, 8);
     let fine = camera.resized(camera.width * s, camera.height * s);
     let seen = visibility(&mesh.positions, &mesh.triangles, &fine);
     let projected = project(&mesh.positions, &mesh.triangles, &fine);
-    let eye = camera.position();
-    let table = Linear::default();
-    let sample = |i: usize| -> Option<[f32; 3]> {
+    let sample = |i: usize| -> Option<[[f32; 3]; N]> {
         let t = seen.triangle[i] as usize;
         let (corners, inverse_z) = projected.get(t)?.as_ref()?;
         let p = Vec2::new((i % seen.width) as f32 + 0.5, (i / seen.width) as f32 + 0.5);
         let w = weights(corners, p)? * *inverse_z * seen.depth[i];
-        let [a, b, c] = mesh.triangles[t].map(|v| v as usize);
-        Some(match texture {
-            Some(texture) => {
-                let uv = mesh.uvs[a] * w.x + mesh.uvs[b] * w.y + mesh.uvs[c] * w.z;
-                texture_at(texture, uv).map(|v| table.of(v / 255.0))
-            }
-            None => {
-                let n = mesh.normals[a] * w.x + mesh.normals[b] * w.y + mesh.normals[c] * w.z;
-                let p = mesh.positions[a] * w.x + mesh.positions[b] * w.y + mesh.positions[c] * w.z;
-                let lit = n.normalize_or_zero().dot((eye - p).normalize_or_zero()).max(0.0);
-                [0.05 + 0.65 * lit; 3]
-            }
-        })
+        Some(color(t, w))
     };
     let (width, height) = (camera.width as usize, camera.height as usize);
     let s = s as usize;
+    let mean = |v: f32| v / (s * s) as f32;
     (0..width * height)
         .into_par_iter()
         .map(|i| {
             let (x, y) = (i % width, i / width);
-            let mut sum = [0f32; 4];
+            let (mut sums, mut share) = ([[0f32; 3]; N], 0f32);
             for k in 0..s * s {
-                if let Some([r, g, b]) = sample((y * s + k / s) * seen.width + x * s + k % s) {
-                    sum.iter_mut().zip([r, g, b, 1.0]).for_each(|(sum, v)| *sum += v);
+                if let Some(colors) = sample((y * s + k / s) * seen.width + x * s + k % s) {
+                    for (sum, v) in sums.as_flattened_mut().iter_mut().zip(colors.as_flattened()) {
+                        *sum += v;
+                    }
+                    share += 1.0;
                 }
             }
-            sum.map(|v| v / (s * s) as f32)
+            (sums.map(|sum| sum.map(mean)), mean(share))
         })
         .collect()
 }
