@@ -68,11 +68,19 @@ impl<'a> Sheet<'a> {
         let reach = (THICKEST * camera.fx.max(camera.fy) / nearest.max(0.1)).clamp(1.0, 40.0);
         let mut sheet =
             Sheet { view, width, height, depth, hit: Vec::new(), room: Vec::new(), before: Vec::new(), reach };
-        sheet.hit = (0..width * height).into_par_iter().map(|i| sheet.first_hit(volume, i)).collect();
-        let front: Vec<f32> = (0..width * height).into_par_iter().map(|i| sheet.room_around(i, BEHIND)).collect();
+        let nearest = sheet.nearest_solid(volume);
+        sheet.hit = (0..width * height).into_par_iter().map(|i| sheet.first_hit(volume, i, nearest[i])).collect();
+        let room = sheet.room();
+        let deepest = sheet.deepest_around();
+        // Mostly nothing near is behind.
+        let front = |i: usize| match deepest[i] > sheet.depth[i] + BEHIND {
+            true => sheet.room_before(i),
+            false => room[i],
+        };
+        let front: Vec<f32> = (0..width * height).into_par_iter().map(front).collect();
         sheet.before = (0..width * height).into_par_iter().map(|i| sheet.stands_before(i, &front)).collect();
-        let apart = |i: usize| if sheet.before[i] { front[i] } else { sheet.room_around(i, f32::INFINITY) };
-        sheet.room = (0..width * height).into_par_iter().map(apart).collect();
+        let apart = |i: usize| if sheet.before[i] { front[i] } else { room[i] };
+        sheet.room = (0..width * height).map(apart).collect();
         sheet
     }
 
@@ -83,14 +91,60 @@ impl<'a> Sheet<'a> {
         c.rotation.transpose() * (p - c.translation)
     }
 
-    fn first_hit(&self, volume: &Volume, i: usize) -> f32 {
+    /// Of every pixel a camera z that nothing solid along its ray is nearer than; infinite where there is none.
+    ///
+    /// A sample is negative only where one of the eight that it lies between is: each block of those that has one is drawn as the
+    /// box around its projection.
+    fn nearest_solid(&self, volume: &Volume) -> Vec<f32> {
+        /// Samples along a block's sides.
+        const BLOCK: usize = 4;
+        /// What rounding may make of a projection, pixels, and of a depth, scene units.
+        const ROUNDING: f32 = 0.1;
+        let c = &self.view.camera;
+        let mut nearest = vec![f32::INFINITY; self.width * self.height];
+        let [nx, ny, nz] = volume.dims;
+        let starts = |n: usize| (0..n.saturating_sub(1)).step_by(BLOCK);
+        for (z, y, x) in starts(nz).flat_map(|z| starts(ny).flat_map(move |y| starts(nx).map(move |x| (z, y, x)))) {
+            let ends = [(x + BLOCK).min(nx - 1), (y + BLOCK).min(ny - 1), (z + BLOCK).min(nz - 1)];
+            let rows = (z..=ends[2]).flat_map(|z| (y..=ends[1]).map(move |y| (y, z)));
+            let mut rows = rows.map(|(y, z)| &volume.data[volume.index(x, y, z)..=volume.index(ends[0], y, z)]);
+            if !rows.any(|row| row.iter().any(|d| *d < 0.0)) {
+                continue;
+            }
+            let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            for corner in 0..8 {
+                let at = |k: usize, from: usize| if corner >> k & 1 == 0 { from } else { ends[k] };
+                let p = c.rotation * volume.position(at(0, x), at(1, y), at(2, z)) + c.translation;
+                if p.z <= 0.01 {
+                    return vec![f32::NEG_INFINITY; self.width * self.height];
+                }
+                let q = Vec3::new(c.fx * p.x / p.z + c.cx, c.fy * p.y / p.z + c.cy, p.z);
+                (lo, hi) = (lo.min(q), hi.max(q));
+            }
+            let pixels = |lo: f32, hi: f32, n: usize| {
+                let end = ((hi + 0.5 + ROUNDING).max(0.0) as usize).min(n);
+                ((lo - 0.5 - ROUNDING).max(0.0) as usize).min(end)..end
+            };
+            for row in pixels(lo.y, hi.y, self.height) {
+                let columns = pixels(lo.x, hi.x, self.width);
+                let line = &mut nearest[row * self.width..][columns];
+                line.iter_mut().for_each(|z| *z = z.min(lo.z - ROUNDING * volume.voxel));
+            }
+        }
+        nearest
+    }
+
+    /// The first sample along the ray that is solid. None is where the ray is nearer than `nearest`.
+    fn first_hit(&self, volume: &Volume, i: usize, nearest: f32) -> f32 {
         if self.depth[i] <= 0.0 {
             return 0.0;
         }
         let middle = self.view.camera.translation.z;
         let (from, to) = (middle - SUBJECT_RADIUS, middle + SUBJECT_RADIUS);
         let steps = ((to - from) / (0.7 * volume.voxel)).ceil() as usize;
-        let mut depths = (0..=steps).map(|k| from + (to - from) * k as f32 / steps as f32);
+        // One less, as what rounds down may be rounded itself.
+        let first = ((nearest - from) / (to - from) * steps as f32).clamp(0.0, steps as f32 + 2.0) as usize;
+        let mut depths = (first.saturating_sub(1)..=steps).map(|k| from + (to - from) * k as f32 / steps as f32);
         depths.find(|&z| volume.sample(self.place(i, z)) < 0.0).unwrap_or(0.0)
     }
 
@@ -123,14 +177,65 @@ impl<'a> Sheet<'a> {
         at(j) - at(i)
     }
 
-    /// Distance from a pixel to the nearest off the subject, or deeper by more than `behind`.
-    fn room_around(&self, i: usize, behind: f32) -> f32 {
+    /// Of every pixel the distance to the nearest off the subject, up to `reach`: along its row first, then over the rows.
+    fn room(&self) -> Vec<f32> {
+        let (width, reach) = (self.width.max(1), self.reach.ceil() as usize);
+        // Columns to the nearest, squared; none within reach is further than any.
+        let mut aside = vec![f32::INFINITY; self.depth.len()];
+        aside.par_chunks_mut(width).zip(self.depth.par_chunks(width)).for_each(|(aside, depth)| {
+            let mut line = |columns: &mut dyn Iterator<Item = usize>| {
+                let mut away = usize::MAX;
+                for x in columns {
+                    away = if depth[x] <= 0.0 { 0 } else { away.saturating_add(1) };
+                    if away <= reach {
+                        aside[x] = aside[x].min((away * away) as f32);
+                    }
+                }
+            };
+            line(&mut (0..depth.len()));
+            line(&mut (0..depth.len()).rev());
+        });
+        let room = |i: usize| {
+            if self.depth[i] <= 0.0 {
+                return 0.0;
+            }
+            let (x, y) = (i % width, i / width);
+            let rows = y.saturating_sub(reach)..(y + reach + 1).min(self.height);
+            let squares = rows.map(|row| aside[row * width + x] + (row.abs_diff(y) * row.abs_diff(y)) as f32);
+            (squares.fold(f32::INFINITY, f32::min).sqrt() - 0.5).min(self.reach)
+        };
+        (0..self.depth.len()).into_par_iter().map(room).collect()
+    }
+
+    /// Of every pixel the largest depth in its window as large as `reach`.
+    fn deepest_around(&self) -> Vec<f32> {
+        let (width, reach) = (self.width.max(1), self.reach.ceil() as usize);
+        let mut aside = vec![0f32; self.depth.len()];
+        aside.par_chunks_mut(width).zip(self.depth.par_chunks(width)).for_each(|(aside, depth)| {
+            for (x, deepest) in aside.iter_mut().enumerate() {
+                let window = &depth[x.saturating_sub(reach)..(x + reach + 1).min(depth.len())];
+                *deepest = window.iter().copied().fold(0.0, f32::max);
+            }
+        });
+        let mut deepest = vec![0f32; self.depth.len()];
+        deepest.par_chunks_mut(width).enumerate().for_each(|(y, deepest)| {
+            for row in y.saturating_sub(reach)..(y + reach + 1).min(self.height) {
+                for (deepest, aside) in deepest.iter_mut().zip(&aside[row * width..]) {
+                    *deepest = deepest.max(*aside);
+                }
+            }
+        });
+        deepest
+    }
+
+    /// Distance from a pixel to the nearest off the subject, or deeper by more than [`BEHIND`], up to `reach`.
+    fn room_before(&self, i: usize) -> f32 {
         if self.depth[i] <= 0.0 {
             return 0.0;
         }
         let off = self
             .window(i, self.reach.ceil() as usize)
-            .filter(|&j| self.depth[j] <= 0.0 || self.depth[j] > self.depth[i] + behind);
+            .filter(|&j| self.depth[j] <= 0.0 || self.depth[j] > self.depth[i] + BEHIND);
         off.map(|j| self.offset(i, j).length() - 0.5).fold(self.reach, f32::min)
     }
 
@@ -231,5 +336,43 @@ fn stamp(volume: &mut Volume, centre: Vec3, radius: f32) {
                 volume.data[i] = volume.data[i].min(d.max(-volume.truncation));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::depth_map::DepthMap;
+    use super::super::fuse::fuse;
+    use super::super::scenes;
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_of_a_search_is_not_there() {
+        let maps: Vec<DepthMap> = scenes::depth_cameras(30, 96)
+            .iter()
+            .map(|c| DepthMap::new(&scenes::boxed(0.5, 0.4, 0.3).render(c)))
+            .collect();
+        let volume = fuse(&maps, 48).unwrap();
+        let camera = scenes::depth_cameras(7, 128)[3];
+        // Not what the volume is of: rays meet it, miss it, and pass beside what is shown.
+        let view = scenes::two_spheres().render(&camera);
+        let mask: Vec<f32> = (0..128 * 128).map(|i| if i % 37 > 1 { 1.0 } else { 0.0 }).collect();
+        let sheet = Sheet::new(&volume, &view, &mask);
+        let (nearest, room, deepest) = (sheet.nearest_solid(&volume), sheet.room(), sheet.deepest_around());
+        let (mut met, mut missed) = (0, 0);
+        for i in (0..mask.len()).filter(|i| sheet.depth[*i] > 0.0) {
+            let hit = sheet.first_hit(&volume, i, f32::NEG_INFINITY);
+            assert_eq!(sheet.first_hit(&volume, i, nearest[i]), hit, "pixel {i}");
+            if hit > 0.0 {
+                met += 1
+            } else {
+                missed += 1
+            }
+            let window = || sheet.window(i, sheet.reach.ceil() as usize);
+            let off = window().filter(|j| sheet.depth[*j] <= 0.0).map(|j| sheet.offset(i, j).length() - 0.5);
+            assert_eq!(room[i], off.fold(sheet.reach, f32::min), "pixel {i}");
+            assert_eq!(deepest[i], window().map(|j| sheet.depth[j]).fold(0.0, f32::max), "pixel {i}");
+        }
+        assert!(met > 100 && missed > 100, "{met} {missed}");
     }
 }
