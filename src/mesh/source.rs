@@ -4,6 +4,7 @@ use super::bake::Texel;
 use super::color::Linear;
 use super::raster::Seen;
 use super::{PhotoView, View};
+use crate::models::region::dilated;
 use crate::splat::Camera;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -78,25 +79,23 @@ impl Source {
     }
 }
 
-/// The least of what is there (> 0) in the square of `reach` pixels around each pixel.
+/// The least of what is there (> 0) in the square of `reach` pixels around each pixel; 0 where there is none.
 fn nearest_around(depth: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
-    let least = |values: &mut dyn Iterator<Item = f32>| {
-        let m = values.filter(|d| *d > 0.0).fold(f32::INFINITY, f32::min);
-        if m.is_finite() { m } else { 0.0 }
-    };
     let mut rows = vec![0f32; depth.len()];
     rows.par_chunks_mut(width.max(1)).zip(depth.par_chunks(width.max(1))).for_each(|(out, row)| {
         for (x, out) in out.iter_mut().enumerate() {
             let window = &row[x.saturating_sub(reach)..(x + reach + 1).min(width)];
-            *out = least(&mut window.iter().copied());
+            *out = window.iter().filter(|d| **d > 0.0).copied().fold(f32::INFINITY, f32::min);
         }
     });
-    let mut result = vec![0f32; depth.len()];
+    let mut result = vec![f32::INFINITY; depth.len()];
     result.par_chunks_mut(width.max(1)).enumerate().for_each(|(y, out)| {
-        let (from, to) = (y.saturating_sub(reach), (y + reach + 1).min(height));
-        for (x, out) in out.iter_mut().enumerate() {
-            *out = least(&mut (from..to).map(|y| rows[y * width + x]));
+        for row in y.saturating_sub(reach)..(y + reach + 1).min(height) {
+            for (out, least) in out.iter_mut().zip(&rows[row * width..]) {
+                *out = out.min(*least);
+            }
         }
+        out.iter_mut().filter(|d| d.is_infinite()).for_each(|d| *d = 0.0);
     });
     result
 }
@@ -126,14 +125,19 @@ pub fn rendered_source(view: &View, mesh_seen: &Seen, background: [f32; 3], line
             firm(view, i) * (1.0 - behind).clamp(0.02, 1.0)
         })
         .collect();
+    let nearest = nearest_around(&depth, w, h, 1);
     let color = (0..w * h)
         .map(|i| {
+            // What is not beside anything trusted is never asked for.
+            if nearest[i] <= 0.0 {
+                return [0.0; 3];
+            }
             let a = view.alpha[i].clamp(1.0 - view.passing, 1.0);
             std::array::from_fn(|k| linear.of((view.color[i][k] - (1.0 - a) * background[k]) / a))
         })
         .collect();
     let eye = view.camera.position();
-    Source { camera: view.camera, eye, color, trust, nearest: nearest_around(&depth, w, h, 1), slack: 0.006 }
+    Source { camera: view.camera, eye, color, trust, nearest, slack: 0.006 }
 }
 
 /// A rendered view by its own depth: for meshes that are made piece by piece, where what hides a point may be another piece's.
@@ -180,7 +184,8 @@ pub fn photo_source(photo: &PhotoView, mesh_seen: &Seen, linear: &Linear) -> Sou
 fn edge_trust(mask: &[f32], width: usize, height: usize, reach: usize) -> Vec<f32> {
     /// Pixels whose middle is so near the edge hold something of the background.
     const MIXED: f32 = 0.75;
-    let off: Vec<f32> = mask.iter().map(|m| if *m >= 0.5 { 0.0 } else { 1.0 }).collect();
+    let off: Vec<bool> = mask.iter().map(|m| *m < 0.5 || m.is_nan()).collect();
+    let beside = dilated(width, height, reach, |i| off[i]);
     let around = |i: usize| {
         let (x, y) = (i % width, i / width);
         let columns = x.saturating_sub(reach)..(x + reach + 1).min(width);
@@ -192,10 +197,12 @@ fn edge_trust(mask: &[f32], width: usize, height: usize, reach: usize) -> Vec<f3
     let to_edge: Vec<f32> = (0..mask.len())
         .into_par_iter()
         .map(|i| {
-            if off[i] > 0.0 {
+            if off[i] {
                 0.0
+            } else if !beside[i] {
+                reach as f32
             } else {
-                around(i).filter(|(j, _)| off[*j] > 0.0).map(|(_, d)| d - 0.5).fold(reach as f32, f32::min)
+                around(i).filter(|(j, _)| off[*j]).map(|(_, d)| d - 0.5).fold(reach as f32, f32::min)
             }
         })
         .collect();
@@ -206,7 +213,10 @@ fn edge_trust(mask: &[f32], width: usize, height: usize, reach: usize) -> Vec<f3
                 return 0.0;
             }
             // As far from the edge as one gets without leaving the disc that reaches it.
-            let most = around(i).filter(|(_, d)| *d <= to_edge[i] + 1.5).map(|(j, _)| to_edge[j]).fold(0.0, f32::max);
+            let most = match to_edge[i] >= reach as f32 {
+                true => reach as f32,
+                false => around(i).filter(|(_, d)| *d <= to_edge[i] + 1.5).map(|(j, _)| to_edge[j]).fold(0.0, f32::max),
+            };
             ((to_edge[i] - MIXED) / (most.min(reach as f32) - MIXED).max(MIXED)).clamp(0.0, 1.0)
         })
         .collect()

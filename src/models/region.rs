@@ -113,22 +113,31 @@ pub fn deepest(mask: &Plane, threshold: f32) -> Option<[f32; 2]> {
 
 /// A square dilation, separable.
 pub(crate) fn dilated(w: usize, h: usize, radius: usize, inside: impl Fn(usize) -> bool) -> Vec<bool> {
-    let spread = |count: usize, line: &dyn Fn(usize) -> bool, set: &mut dyn FnMut(usize)| {
+    let mut rows = vec![false; w * h];
+    for (y, row) in rows.chunks_exact_mut(w.max(1)).enumerate() {
         let mut reach = 0; // one past the last position already set
-        for i in 0..count {
-            if line(i) {
-                (i.saturating_sub(radius).max(reach)..(i + radius + 1).min(count)).for_each(&mut *set);
-                reach = (i + radius + 1).min(count);
+        for x in 0..w {
+            if inside(y * w + x) {
+                let end = (x + radius + 1).min(w);
+                row[x.saturating_sub(radius).max(reach)..end].fill(true);
+                reach = end;
             }
         }
-    };
-    let mut rows = vec![false; w * h];
-    for y in 0..h {
-        spread(w, &|x| inside(y * w + x), &mut |x| rows[y * w + x] = true);
     }
+    // Of each column how many are set within reach of the row: memory is met in its own order.
+    let mut counts = vec![0u32; w];
     let mut out = vec![false; w * h];
-    for x in 0..w {
-        spread(h, &|y| rows[y * w + x], &mut |y| out[y * w + x] = true);
+    for y in 0..h + radius {
+        if let Some(row) = rows.chunks_exact(w.max(1)).nth(y) {
+            counts.iter_mut().zip(row).for_each(|(count, set)| *count += u32::from(*set));
+        }
+        let Some(y) = y.checked_sub(radius) else { continue };
+        let line = &mut out[y * w..(y + 1) * w];
+        line.iter_mut().zip(&counts).for_each(|(out, count)| *out = *count > 0);
+        if let Some(past) = y.checked_sub(radius) {
+            let row = &rows[past * w..(past + 1) * w];
+            counts.iter_mut().zip(row).for_each(|(count, set)| *count -= u32::from(*set));
+        }
     }
     out
 }
