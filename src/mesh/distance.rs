@@ -11,6 +11,7 @@ pub struct Bvh {
     corners: Vec<[Vec3; 3]>,
 }
 
+#[derive(Clone, Copy)]
 struct Node {
     lo: Vec3,
     hi: Vec3,
@@ -29,42 +30,63 @@ pub struct Closest {
 
 const LEAF: usize = 4;
 
+/// Nodes of the tree over so many triangles.
+fn nodes_of(triangles: usize) -> usize {
+    match triangles <= LEAF {
+        true => 1,
+        false => 1 + nodes_of(triangles / 2) + nodes_of(triangles - triangles / 2),
+    }
+}
+
+/// Sorts `order` into the tree whose first node is `nodes[0]`. `at`: where that node and the first triangle of `order` are
+/// numbered. Halves of many triangles are sorted side by side.
+fn split(mesh: (&[[Vec3; 3]], &[Vec3]), order: &mut [u32], nodes: &mut [Node], at: [u32; 2]) {
+    const MANY: usize = 4096;
+    let (corners, middles) = mesh;
+    let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let (mut mid_lo, mut mid_hi) = (lo, hi);
+    for &t in &*order {
+        for p in corners[t as usize] {
+            (lo, hi) = (lo.min(p), hi.max(p));
+        }
+        let mid = middles[t as usize];
+        (mid_lo, mid_hi) = (mid_lo.min(mid), mid_hi.max(mid));
+    }
+    let count = order.len();
+    if count <= LEAF {
+        nodes[0] = Node { lo, hi, first: at[1], count: count as u32 };
+        return;
+    }
+    let size = mid_hi - mid_lo;
+    let axis = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
+    let half = count / 2;
+    let key = |t: u32| middles[t as usize][axis];
+    order.select_nth_unstable_by(half, |a, b| key(*a).total_cmp(&key(*b)).then(a.cmp(b)));
+    let left = nodes_of(half);
+    nodes[0] = Node { lo, hi, first: at[0] + 1 + left as u32, count: 0 };
+    let (near, far) = order.split_at_mut(half);
+    let (first, second) = nodes[1..].split_at_mut(left);
+    let mut one = || split(mesh, near, first, [at[0] + 1, at[1]]);
+    let mut other = || split(mesh, far, second, [at[0] + 1 + left as u32, at[1] + half as u32]);
+    if count > MANY {
+        rayon::join(one, other);
+    } else {
+        one();
+        other();
+    }
+}
+
 impl Bvh {
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let corners: Vec<[Vec3; 3]> = triangles.iter().map(|t| t.map(|i| positions[i as usize])).collect();
-        let mut bvh = Bvh { nodes: Vec::new(), order: (0..corners.len() as u32).collect(), corners };
-        if !bvh.corners.is_empty() {
-            bvh.split(0, bvh.corners.len());
+        let mut order: Vec<u32> = (0..corners.len() as u32).collect();
+        let mut nodes = Vec::new();
+        if !corners.is_empty() {
+            let middles: Vec<Vec3> = corners.iter().map(|[a, b, c]| *a + *b + *c).collect();
+            nodes.resize(nodes_of(order.len()), Node { lo: Vec3::ZERO, hi: Vec3::ZERO, first: 0, count: 0 });
+            split((&corners, &middles), &mut order, &mut nodes, [0, 0]);
         }
-        bvh
-    }
-
-    fn split(&mut self, from: usize, to: usize) {
-        let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (mut mid_lo, mut mid_hi) = (lo, hi);
-        for &t in &self.order[from..to] {
-            let c = self.corners[t as usize];
-            for p in c {
-                (lo, hi) = (lo.min(p), hi.max(p));
-            }
-            let mid = c[0] + c[1] + c[2];
-            (mid_lo, mid_hi) = (mid_lo.min(mid), mid_hi.max(mid));
-        }
-        let at = self.nodes.len();
-        self.nodes.push(Node { lo, hi, first: from as u32, count: (to - from) as u32 });
-        if to - from <= LEAF {
-            return;
-        }
-        let size = mid_hi - mid_lo;
-        let axis = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
-        let half = (to - from) / 2;
-        let corners = &self.corners;
-        let key = |t: &u32| corners[*t as usize].iter().map(|p| p[axis]).sum::<f32>();
-        self.order[from..to].select_nth_unstable_by(half, |a, b| key(a).total_cmp(&key(b)).then(a.cmp(b)));
-        self.split(from, from + half);
-        self.nodes[at].first = self.nodes.len() as u32;
-        self.nodes[at].count = 0;
-        self.split(from + half, to);
+        Bvh { nodes, order, corners }
     }
 
     /// The closest point among triangles that `accept`s; None when there is none within `limit`.
