@@ -108,6 +108,8 @@ pub struct Simplifier {
     stamps: Vec<u32>,
     vertices_left: usize,
     queue: Queue,
+    /// Kept from collapse to collapse.
+    rings: [Vec<u32>; 2],
     /// Cosine that a face's normal must keep through a collapse.
     turn: f64,
 }
@@ -143,6 +145,7 @@ impl Simplifier {
             quadrics,
             faces_of,
             queue: Queue::default(),
+            rings: Default::default(),
             turn: 0.2,
         };
         simplifier.refill();
@@ -208,22 +211,33 @@ impl Simplifier {
 
     fn ring(&self, v: usize, out: &mut Vec<u32>) {
         out.clear();
-        for &f in &self.faces_of[v] {
-            out.extend(self.faces[f as usize].iter().filter(|&&i| i as usize != v));
+        for i in self.faces_of[v].iter().flat_map(|f| self.faces[*f as usize]) {
+            // Few enough for a look at each: every one is met twice.
+            if i as usize != v && !out.contains(&i) {
+                out.push(i);
+            }
         }
         out.sort_unstable();
-        out.dedup();
     }
 
     fn collapse(&mut self, a: usize, b: usize) -> bool {
-        let (mut ring_a, mut ring_b) = (Vec::new(), Vec::new());
-        self.ring(a, &mut ring_a);
-        self.ring(b, &mut ring_b);
+        let mut rings = std::mem::take(&mut self.rings);
+        let collapsed = self.collapse_between(a, b, &mut rings);
+        self.rings = rings;
+        collapsed
+    }
+
+    /// `rings`: room for the vertices around either.
+    fn collapse_between(&mut self, a: usize, b: usize, [ring_a, ring_b]: &mut [Vec<u32>; 2]) -> bool {
+        self.ring(a, ring_a);
         if ring_a.binary_search(&(b as u32)).is_err() {
             return false;
         }
-        let common: Vec<u32> = ring_a.iter().copied().filter(|v| ring_b.binary_search(v).is_ok()).collect();
-        if common.len() != 2 || common.iter().any(|&v| self.faces_of[v as usize].len() <= 3) {
+        self.ring(b, ring_b);
+        let mut common = ring_a.iter().filter(|v| ring_b.binary_search(v).is_ok());
+        let (two, more) = ([common.next(), common.next()], common.next());
+        let [Some(&left), Some(&right)] = two else { return false };
+        if more.is_some() || [left, right].iter().any(|&v| self.faces_of[v as usize].len() <= 3) {
             return false;
         }
         let (target, _) = self.target(a, b);
@@ -251,8 +265,8 @@ impl Simplifier {
         self.vertices_left -= 1;
         self.stamps[b] = u32::MAX;
         self.stamps[a] += 1;
-        self.ring(a, &mut ring_a);
-        for &v in &ring_a {
+        self.ring(a, ring_a);
+        for &v in &*ring_a {
             let candidate = self.candidate(a as u32, v);
             self.queue.push(candidate);
         }
