@@ -33,13 +33,13 @@ const CERTAIN: f32 = 1e4;
 
 /// How the colours near a subject tell it from its surroundings.
 pub struct Evidence {
-    /// Natural logarithm of the odds that each pixel's colour is the subject's, at most 8 either way.
+    /// Natural logarithm of the odds that each pixel's colour is the subject's, at most 8 either way; 0 outside the box.
     pub log_odds: Plane,
     /// How far the two colour distributions differ: the Kullback–Leibler divergence in nats, 0 for no difference.
     pub divergence: f32,
 }
 
-/// Learns both colour distributions on either side of the mask's line of one half, in the box `near`, and asks them about each pixel.
+/// Learns both colour distributions on either side of the mask's line of one half, in the box `near`, and asks them about each pixel of it.
 /// `guide` is sRGB 0..1 of the mask's size.
 pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     let (w, h) = (mask.width, mask.height);
@@ -58,7 +58,11 @@ pub fn evidence(guide: &[[f32; 3]], mask: &Plane, near: Bounds) -> Evidence {
     let (subject, rest) = rayon::join(|| Mixture::fitted(&inside), || Mixture::fitted(&outside));
     let odds = |colour: &[f32; 3]| (subject.log_density(*colour) - rest.log_density(*colour)).clamp(-LOUDEST, LOUDEST);
     let divergence = inside.iter().map(odds).sum::<f32>() / inside.len() as f32;
-    Evidence { log_odds: Plane { width: w, height: h, data: guide.par_iter().map(odds).collect() }, divergence }
+    let mut log_odds = Plane::new(w, h, 0.0);
+    log_odds.data.par_chunks_mut(w).zip(guide.par_chunks(w)).take(y1).skip(y0).for_each(|(line, guide)| {
+        line[x0..x1].iter_mut().zip(&guide[x0..x1]).for_each(|(line, colour)| *line = odds(colour));
+    });
+    Evidence { log_odds, divergence }
 }
 
 /// The subject as network and colours see it together, in the box `near`: 1 or 0; outside it 0. The least cut
