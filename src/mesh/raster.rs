@@ -6,6 +6,7 @@ use crate::splat::Camera;
 use glam::{Vec2, Vec3};
 use image::{Rgb, RgbImage};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Nothing is drawn nearer than this, scene units; a triangle that reaches nearer is left out.
 const NEAR: f32 = 0.01;
@@ -61,6 +62,41 @@ fn beside([a, b, c]: &[Vec2; 3], p: Vec2) -> bool {
     v < least || w < least || v + w > 1.001 * size
 }
 
+/// A triangle and the box of pixels whose middles it may hold.
+struct Drawn {
+    triangle: u32,
+    columns: Range<usize>,
+    rows: Range<usize>,
+}
+
+/// Of triangles, in their order, what there is to draw in each band of rows.
+fn bands(projected: &[Option<Projected>], width: usize, height: usize) -> Vec<Vec<Drawn>> {
+    // Casts, not ceil() and floor(): those are calls on plain x86-64.
+    let first = |v: f32| {
+        let at = (v - 0.5).max(0.0);
+        let whole = at as usize;
+        whole.saturating_add(usize::from((whole as f32) < at))
+    };
+    let end = |v: f32, n: usize| if v >= 0.5 { ((v - 0.5) as usize).saturating_add(1).min(n) } else { 0 };
+    let mut bands: Vec<Vec<Drawn>> = Vec::new();
+    bands.resize_with(height.div_ceil(BAND), Vec::new);
+    for (t, corners) in projected.iter().enumerate() {
+        let Some((corners, _)) = corners else { continue };
+        let lo = corners[0].min(corners[1]).min(corners[2]);
+        let hi = corners[0].max(corners[1]).max(corners[2]);
+        let (columns, rows) = (first(lo.x)..end(hi.x, width), first(lo.y)..end(hi.y, height));
+        if columns.is_empty() || rows.is_empty() {
+            continue;
+        }
+        for (band, drawn) in bands.iter_mut().enumerate().take(rows.end.div_ceil(BAND)).skip(rows.start / BAND) {
+            let top = band * BAND;
+            let rows = rows.start.max(top)..rows.end.min(top + BAND);
+            drawn.push(Drawn { triangle: t as u32, columns: columns.clone(), rows });
+        }
+    }
+    bands
+}
+
 /// The z-buffer of a mesh, both sides of every triangle.
 pub fn visibility(positions: &[Vec3], triangles: &[[u32; 3]], camera: &Camera) -> Seen {
     let projected = project(positions, triangles, camera);
@@ -68,40 +104,29 @@ pub fn visibility(positions: &[Vec3], triangles: &[[u32; 3]], camera: &Camera) -
     let mut depth = vec![0f32; width * height];
     let mut triangle = vec![u32::MAX; width * height];
     if width > 0 {
-        depth.par_chunks_mut(BAND * width).zip(triangle.par_chunks_mut(BAND * width)).enumerate().for_each(
-            |(band, (depth, triangle))| {
-                let top = band * BAND;
-                let rows = depth.len() / width;
-                for (t, corners) in projected.iter().enumerate() {
-                    let Some((corners, inverse_z)) = corners else { continue };
-                    let lo = corners[0].min(corners[1]).min(corners[2]);
-                    let hi = corners[0].max(corners[1]).max(corners[2]);
-                    if !(hi.y >= top as f32 && lo.y <= (top + rows) as f32 && hi.x >= 0.0 && lo.x <= width as f32) {
-                        continue;
-                    }
-                    let from = |v: f32, base: usize| ((v - 0.5).ceil() - base as f32).max(0.0) as usize;
-                    let to = |v: f32, base: usize, n: usize| {
-                        ((v - 0.5).floor() - base as f32 + 1.0).clamp(0.0, n as f32) as usize
-                    };
-                    let columns = from(lo.x, 0)..to(hi.x, 0, width);
-                    for y in from(lo.y, top)..to(hi.y, top, rows) {
-                        for x in columns.clone() {
-                            let p = Vec2::new(x as f32 + 0.5, (top + y) as f32 + 0.5);
-                            if beside(corners, p) {
-                                continue;
-                            }
-                            let Some(w) = weights(corners, p) else { continue };
-                            let z = 1.0 / w.dot(*inverse_z);
-                            let i = y * width + x;
-                            if triangle[i] == u32::MAX || z < depth[i] {
-                                depth[i] = z;
-                                triangle[i] = t as u32;
-                            }
+        let bands = bands(&projected, width, height);
+        let pixels = depth.par_chunks_mut(BAND * width).zip(triangle.par_chunks_mut(BAND * width));
+        pixels.zip(&bands).enumerate().for_each(|(band, ((depth, triangle), drawn))| {
+            let top = band * BAND;
+            for Drawn { triangle: t, columns, rows } in drawn {
+                let Some((corners, inverse_z)) = &projected[*t as usize] else { continue };
+                for y in rows.clone() {
+                    for x in columns.clone() {
+                        let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                        if beside(corners, p) {
+                            continue;
+                        }
+                        let Some(w) = weights(corners, p) else { continue };
+                        let z = 1.0 / w.dot(*inverse_z);
+                        let i = (y - top) * width + x;
+                        if triangle[i] == u32::MAX || z < depth[i] {
+                            depth[i] = z;
+                            triangle[i] = *t;
                         }
                     }
                 }
-            },
-        );
+            }
+        });
     }
     Seen { width, height, depth, triangle }
 }
