@@ -214,12 +214,15 @@ impl Field {
         }
         let low = q.map(|v| v as usize);
         let t: [f32; 3] = std::array::from_fn(|k| q[k] - low[k] as f32);
-        (0..8)
-            .map(|corner| {
-                let up = [corner & 1, corner >> 1 & 1, corner >> 2];
-                let share: f32 = (0..3).map(|k| if up[k] == 1 { t[k] } else { 1.0 - t[k] }).product();
-                share * self.cells[((low[2] + up[2]) * n + low[1] + up[1]) * n + low[0] + up[0]]
-            })
-            .sum()
+        let [across, down, up] = t.map(|t| [1.0 - t, t]);
+        let mut sum = 0.0;
+        for (k, up) in up.into_iter().enumerate() {
+            for (j, down) in down.into_iter().enumerate() {
+                let row = &self.cells[((low[2] + k) * n + low[1] + j) * n + low[0]..][..2];
+                sum += across[0] * down * up * row[0];
+                sum += across[1] * down * up * row[1];
+            }
+        }
+        sum
     }
 }
