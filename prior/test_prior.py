@@ -292,6 +292,39 @@ def test_four_bits_keep_matrices():
         assert relative.max() < 0.11 and relative.mean() < 0.097
 
 
+def test_scales_learn_and_levels_stay():
+    torch = pytest.importorskip("torch")
+    pytest.importorskip("onnx")
+    from levels import hold_levels, settled
+    from nets import Block
+    from packing import in_four_bits
+
+    torch.manual_seed(6)
+    plain = torch.nn.ModuleDict({"mid": torch.nn.ModuleList([Block(64, 2)]), "other": torch.nn.Linear(64, 3)})
+    hold_levels(plain, ("mid.",))
+    stored = settled({name: value.clone() for name, value in plain.state_dict().items()})
+    net = torch.nn.ModuleDict({"mid": torch.nn.ModuleList([Block(64, 2)]), "other": torch.nn.Linear(64, 3)})
+    net.load_state_dict(stored)  # the names of a network without such layers, and all of them
+    x = torch.randn(2, 5, 64)
+    before = net.mid[0](x)
+    hold_levels(net, ("mid.",))
+    assert torch.allclose(net.mid[0](x), before, atol=1e-5)
+
+    optimizer = torch.optim.AdamW(net.parameters(), lr=0.01)
+    for _ in range(20):
+        optimizer.zero_grad()
+        loss = ((net.other(net.mid[0](x)) - 1) ** 2).mean()
+        loss.backward()
+        optimizer.step()
+    learned = settled(net.state_dict())
+    assert set(learned) == set(stored) and not torch.equal(learned["other.weight"], stored["other.weight"])
+    for name in ("qkv", "o", "f.0", "f.2"):
+        was, now = (in_four_bits(state[f"mid.0.{name}.weight"].detach().half().float().T.numpy()) for state in (stored, learned))
+        assert np.array_equal(was[0], now[0]), name
+        change = now[1].astype(np.float32) / was[1]
+        assert change.min() > 0 and np.abs(change - 1).max() > 0.02, (name, change)
+
+
 def test_rounding_by_inputs_costs_the_answer_less_and_is_stored_as_it_is():
     torch = pytest.importorskip("torch")
     pytest.importorskip("onnx")

@@ -24,9 +24,11 @@ import torch.distributed as dist
 from torch.nn.parallel import DistributedDataParallel
 
 from critic import Adversary
+from levels import hold_levels, settled
 from losses import STEPS
 from muon import Muon
 from nets import NETS, Block, Res, load_weights
+from packing import FOUR_BITS
 from perception import Perception
 from pictures import save_sheet
 from restore import calibrate, generated_inputs, state_from_onnx
@@ -64,6 +66,7 @@ def arguments():
     parser.add_argument("--eyes", default="detail.onnx", help="DetailNet's weights, which --perception looks by")
     parser.add_argument("--keep-every", type=float, default=120, help="seconds between two saves of the averaged weights")
     parser.add_argument("--hold", nargs="*", default=[], help="parameters whose names begin so stay as they are, net.mid for one")
+    parser.add_argument("--levels", action="store_true", help="SplatNet: what is stored in four bits stays so, scales of groups learn")
     parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
     parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (two minutes, then faster)")
     return parser.parse_args()
@@ -85,7 +88,7 @@ class Average:
                 self.state[name].copy_(value)
 
     def half(self):
-        return {k: v.half() if v.is_floating_point() else v for k, v in self.state.items()}
+        return {k: v.half() if v.is_floating_point() else v for k, v in settled(self.state).items()}
 
 
 def learning_rate(base, step, done):
@@ -204,10 +207,10 @@ def save(net, average, optimizers, adversary, spent, step, path):
         os.replace(name + ".new", name)
 
 
-def initialised(which, init, hold, pool, masks):
+def initialised(which, init, hold, levels, pool, masks):
     """The network that `which` trains on the GPU, with the weights of the file `init` if one is given; parameters whose names
-    begin as one of `hold` stay as they are. What is new in it is the same whatever the seed: of trainings that began alike the
-    mean is a network again."""
+    begin as one of `hold` stay as they are, with `levels` so does what is stored in four bits but for the scales. What is new
+    in it is the same whatever the seed: of trainings that began alike the mean is a network again."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(0)
         net = NETS["splat" if which == "error" else which]()
@@ -217,6 +220,8 @@ def initialised(which, init, hold, pool, masks):
             calibrate(net.cuda(), generated_inputs(which, pool, batches=16, masks=masks))
     elif init:
         load_weights(net, init)
+    if levels:
+        hold_levels(net.cpu(), FOUR_BITS[which])
     net = net.cuda().to(memory_format=torch.channels_last).train()
     for name, parameter in net.named_parameters():
         parameter.requires_grad_(learns(name, which, hold))
@@ -265,7 +270,7 @@ def main():
     pool = make_pool(first_object, args.pool, max(2, args.processes // world))
 
     masks = masks_of(args.rough) if args.net == "detail" else None
-    net = initialised(args.net, "" if saved else args.init, args.hold, pool, masks)
+    net = initialised(args.net, "" if saved else args.init, args.hold, args.levels, pool, masks)
     average = Average(net)
     optimizers = optimizers_of(net, args)
     adversary = Adversary(args.critic_init) if args.critic and args.net == "splat" else None

@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.24",
-    sha256: "c25d57f3afa095e551e9a94f4c506d319d9df7d2232c97e3dafa963174b15734",
+    version: "0.25",
+    sha256: "eec13b7380d27cc23c2927598928399b3320344f776c133c7d1897523eeb37bd",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 
