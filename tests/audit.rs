@@ -3,6 +3,7 @@
 use std::net::UdpSocket;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use base64::Engine as _;
@@ -194,30 +195,33 @@ fn records(dir: &Path) -> Vec<Value> {
     ledger.lines().map(read).collect()
 }
 
+/// A data folder with `pair.pem` in it: two keys that sign together, where the program has both. Runs that tests of other files
+/// look at are signed by them.
+pub fn pair() -> &'static Path {
+    static DATA: OnceLock<tempfile::TempDir> = OnceLock::new();
+    let made = || {
+        let data = tempfile::tempdir().unwrap();
+        let key = data.path().join("pair.pem");
+        let profile: &[&str] = if cfg!(feature = "fips") { &[] } else { &["--profile", "hybrid"] };
+        let made = orb(data.path(), &[&["audit", "keygen", "-o", key.to_str().unwrap()], profile].concat());
+        assert!(made.status.success(), "{}", said(&made));
+        data
+    };
+    DATA.get_or_init(made).path()
+}
+
 /// Two keys that sign together are both named, to a person and to a program.
 #[cfg(not(feature = "fips"))]
 #[test]
 fn both_signers_are_named() {
-    let dir = tempfile::tempdir().unwrap();
-    let (data, key) = (dir.path().join("data"), dir.path().join("pair.pem"));
-    let made = orb(&data, &["audit", "keygen", "--profile", "hybrid", "-o", key.to_str().unwrap()]);
-    assert!(made.status.success(), "{}", said(&made));
-    let geo = |name: &str, more: &[&str]| {
-        let out = dir.path().join(name);
-        let photo = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/smart_car.jpg");
-        let args = ["geo", photo.to_str().unwrap(), "--origin", "34.55,-118.47,740", "--iterations", "1"];
-        let rest = ["--format", "ply", "--key", key.to_str().unwrap(), "-o", out.to_str().unwrap()];
-        let done = orb(&data, &[&args[..], &crate::SMALL, &rest, more].concat());
-        assert!(done.status.success(), "{}", said(&done));
-        done
-    };
-    let record = json(&geo("one", &["--json"]))["record"].clone();
+    let (for_programs, out) = crate::place::told_everything();
+    let record = &for_programs["record"];
     let (first, others) = (record["signed_by"].as_str().unwrap(), record["also_signed_by"].as_array().unwrap());
     assert!(others.len() == 1 && others[0] != first, "{record}");
-    let text = said(&geo("two", &[]));
+    let text = said(&crate::models::by_a_mask().0);
     let line = |name: &str| text.lines().find_map(|l| l.strip_prefix(name)).map(|l| l.trim().to_owned());
     assert_eq!((line("signed by").as_deref(), line("and by").as_deref()), (Some(first), others[0].as_str()), "{text}");
-    let verified = json(&orb(&data, &["audit", "verify", dir.path().join("one").to_str().unwrap(), "--json"]));
+    let verified = json(&orb(pair(), &["audit", "verify", out.to_str().unwrap(), "--json"]));
     assert_eq!(
         (&verified["signed_by"], &verified["also_signed_by"]),
         (&record["signed_by"], &record["also_signed_by"])

@@ -9,8 +9,7 @@ use exif::{Field, In, Rational, Tag, Value};
 use orb::geo::{Geodetic, geoid, magnetic};
 
 fn data() -> &'static Path {
-    static DATA: OnceLock<tempfile::TempDir> = OnceLock::new();
-    DATA.get_or_init(|| tempfile::tempdir().unwrap()).path()
+    crate::audit::pair()
 }
 
 fn orb(args: &[&str]) -> Command {
@@ -162,28 +161,50 @@ fn a_drone_knows_more() {
     assert!((-95.0..-30.0).contains(&enu.east), "{enu:?}");
 
     // What the gimbal says of the view counts for the model, too: the car is seen from higher up than without.
-    let handheld = photo(dir.path(), &fix(), None);
-    let (_, folder) = run(&handheld, &["--heading", "270"]);
-    assert!(told > elevation(&folder) + 3.0, "{told}, {}", elevation(&folder));
+    let (_, folder) = by_hand();
+    assert!(told > elevation(folder) + 3.0, "{told}, {}", elevation(folder));
     // As a word of the user's does, which is less exact: the network, which sees the car from lower down, has more say.
-    let (_, folder) = run(&handheld, &["--heading", "270", "--pitch", "-30"]);
-    assert!((0.5..4.0).contains(&(told - elevation(&folder))), "{told}, {}", elevation(&folder));
-    assert_eq!(recorded(&folder)["pitch_given_deg"], "-30");
+    let (_, folder) = told_everything();
+    assert!((0.5..4.0).contains(&(told - elevation(folder))), "{told}, {}", elevation(folder));
+    assert_eq!(recorded(folder)["pitch_given_deg"], "-30");
+}
+
+/// A photo of no drone, said to be of its subject's place.
+fn by_hand() -> &'static (serde_json::Value, PathBuf) {
+    static DONE: OnceLock<Kept> = OnceLock::new();
+    let args = ["--origin-is", "subject", "--heading", "270"];
+    &DONE.get_or_init(|| keep(&args)).1
+}
+
+/// Of which the user says all that there is to say; signed by `audit::pair`.
+pub fn told_everything() -> &'static (serde_json::Value, PathBuf) {
+    static DONE: OnceLock<Kept> = OnceLock::new();
+    let key = crate::audit::pair().join("pair.pem");
+    let place = ["--origin", "11SLU 65018 24379, 740", "--alt-datum", "msl", "--length", "2.5"];
+    let args = [&place[..], &["--heading", "270", "--pitch", "-30", "--key", key.to_str().unwrap()]].concat();
+    &DONE.get_or_init(|| keep(&args)).1
+}
+
+/// A run that several tests look at, and what it lies in.
+type Kept = (tempfile::TempDir, (serde_json::Value, PathBuf));
+
+fn keep(args: &[&str]) -> Kept {
+    let dir = tempfile::tempdir().unwrap();
+    let done = run(&photo(dir.path(), &fix(), None), args);
+    (dir, done)
 }
 
 #[test]
 fn origins_heights_and_their_datums() {
-    let dir = tempfile::tempdir().unwrap();
-    let photo = photo(dir.path(), &fix(), None);
-    let (json, _) = run(&photo, &["--origin", "11SLU 65018 24379, 740", "--alt-datum", "msl", "--length", "2.5"]);
+    let (json, _) = told_everything();
     let truth = orb::geo::parse_point("p", "11SLU 65018 24379").unwrap();
-    let here = at(&json);
+    let here = at(json);
     assert!((here.latitude - truth.latitude).abs() < 1e-12 && (here.longitude - truth.longitude).abs() < 1e-12);
     assert!((here.height - 740.0 - geoid::undulation(here.latitude, here.longitude)).abs() < 1e-9);
     assert_eq!(json["scale"]["source"], "known-length");
     // A photo's own position may be the subject's.
-    let (json, _) = run(&photo, &["--origin-is", "subject", "--heading", "45"]);
-    assert!((at(&json).latitude - LATITUDE).abs() < 1e-9 && (at(&json).longitude - LONGITUDE).abs() < 1e-9);
+    let (json, _) = by_hand();
+    assert!((at(json).latitude - LATITUDE).abs() < 1e-9 && (at(json).longitude - LONGITUDE).abs() < 1e-9);
 }
 
 #[test]
