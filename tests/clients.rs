@@ -28,18 +28,7 @@ fn outside_readers_open_a_published_folder() {
         return;
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let dir = tempfile::tempdir().unwrap();
-    // South-western hemisphere and a heading: signs that the README's command does not meet.
-    let made = Command::new(env!("CARGO_BIN_EXE_orb"))
-        .args(["geo", "--origin", "-54.8019,-68.3030,12.5", "--heading", "200", "--iterations", "4"])
-        .args(["--format", "cdb,flt,glb,usdz,tiles3d,spz,splat-glb", "--length", "6.06", "-o"])
-        .arg(dir.path().join("out"))
-        .arg(root.join("samples/shipping_container.jpg"))
-        .env("ORB_DATA_DIR", dir.path().join("data"))
-        .output()
-        .unwrap();
-    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
-    let read = Command::new(root.join("tests/clients/check_folder.sh")).arg(dir.path().join("out")).output().unwrap();
+    let read = Command::new(root.join("tests/clients/check_folder.sh")).arg(crate::geo::container()).output().unwrap();
     let said = format!("{}{}", String::from_utf8_lossy(&read.stdout), String::from_utf8_lossy(&read.stderr));
     assert!(read.status.success(), "{said}");
 }
