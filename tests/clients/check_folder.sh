@@ -79,11 +79,15 @@ ogrinfo_reads() {
 iinfo_reads() { iinfo "$@" && ! iinfo --stats "$@" 2>&1 | grep -i error; }
 
 gltf_reads() {
-    # The validator does not know the attributes of splats.
-    case $1 in *_splats.glb) return 0 ;; esac
-    node "$here/gltf_validate.cjs" "$1" >"$work/gltf" 2>&1
+    local path paths=()
+    for path in "$@"; do
+        # The validator does not know the attributes of splats.
+        case $path in *_splats.glb) ;; *) paths+=("$path") ;; esac
+    done
+    [ ${#paths[@]} -gt 0 ] || return 0
+    node "$here/gltf_validate.cjs" "${paths[@]}" >"$work/gltf" 2>&1
     cat "$work/gltf"
-    grep -q 'errors 0 warnings 0 infos 0 hints 0' "$work/gltf"
+    [ "$(grep -c 'errors 0 warnings 0 infos 0 hints 0' "$work/gltf")" -eq ${#paths[@]} ]
 }
 
 usd_reads() { "$ORB_PYTHON" "$here/usdz_check.py" "$1"; }
@@ -103,7 +107,7 @@ each dbf ogrinfo_reads
 at_once rgb iinfo_reads
 if [ -n "${NODE_PATH:-}" ]; then
     splat_transform=$NODE_PATH/@playcanvas/splat-transform/bin/cli.mjs
-    each glb gltf_reads
+    at_once glb gltf_reads
     each spz splats_read
 fi
 [ -z "${ORB_PYTHON:-}" ] || each usdz usd_reads
