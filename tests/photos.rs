@@ -82,8 +82,8 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     assert!(b.refused(&["reconstruct", &alone]).contains("at least two photos"));
 }
 
-/// Nerfstudio's file of the truth's cameras, in a world that is turned, moved and three times too small, and pixels of five points
-/// of the van whose place is known.
+/// Cut-outs and Nerfstudio's file of the truth's cameras, in a world that is turned, moved and three times too small, and pixels of
+/// five points of the van whose place is known.
 fn nerf_with_control(b: &Bench, to: &Path) {
     use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
     use orb::geo::{Geodetic, HeadingSource, Placement};
@@ -115,8 +115,11 @@ fn nerf_with_control(b: &Bench, to: &Path) {
         frames.push(serde_json::json!({
             "file_path": format!("images/{name}"), "transform_matrix": [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
         }));
-        // Anew, without the place that the made photo carries.
-        image::open(b.at("sets/01_van/photos").join(&name)).unwrap().save(to.join("images").join(&name)).unwrap();
+        // Anew, cut out, and without the place that the made photo carries.
+        let open = |folder: &str| image::open(b.at("sets/01_van").join(folder).join(&name)).unwrap();
+        let (mut photo, mask) = (open("photos").into_rgba8(), open("truth/masks").into_luma8());
+        photo.pixels_mut().zip(mask.pixels()).for_each(|(p, m)| p.0[3] = m.0[0]);
+        photo.save(to.join("images").join(&name)).unwrap();
         let of = |name: &str| view[name].as_f64().unwrap();
         file = serde_json::json!({ "fl_x": of("fx"), "fl_y": of("fy"), "cx": of("cx"), "cy": of("cy"), "w": of("width"), "h": of("height") });
         for (i, corner) in corners.iter().enumerate() {
