@@ -295,12 +295,12 @@ fn control(b: &Bench, set: &str) -> String {
 fn a_scene_in_blocks_with_control_points_goes_into_a_store_that_is_there() {
     let b = Bench::new("1", "16", "96", &["--site", "--gps-noise", "5"]);
     let (set, gcp) = (b.text("sets/00_site"), control(&b, "sets/00_site"));
-    // A store with a container in the same geocell.
-    let photo = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/shipping_container.jpg");
-    let one = ["--origin", "48.1371,11.5835,565", "--length", "6.06", "--iterations", "4", "--device", "cpu"];
-    b.good(&[&["geo", photo.to_str().unwrap(), "--format", "cdb", "-o", "first"], &one[..]].concat());
+    // A store with a house in the same geocell.
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/truth/play_house/mesh.glb");
+    let place = ["--origin", "48.1371,11.5835,565", "--format", "cdb", "-o", "first"];
+    b.good(&[&["export", model.to_str().unwrap()], &place[..]].concat());
     let store = b.text("store.cdb");
-    std::fs::rename(b.at("first/shipping_container.cdb"), &store).unwrap();
+    std::fs::rename(b.at("first/mesh.cdb"), &store).unwrap();
     let list = || -> Vec<std::path::PathBuf> {
         let (mut open, mut all) = (vec![b.at("store.cdb")], Vec::new());
         while let Some(folder) = open.pop() {
