@@ -224,7 +224,7 @@ fn does_again_what_is_missing_alone(data: &Path, manifest: &Path, whole: &Path) 
     assert_eq!(std::fs::read(&glb).unwrap(), bytes);
     // Without its folder the row is run again, to the same bytes, though the first to do so is killed on the way.
     std::fs::remove_dir_all(whole.join("second")).unwrap();
-    kill(data, manifest, whole, |begun| begun > Duration::from_secs(2));
+    kill(data, manifest, whole, |begun| begun > Duration::from_secs(1));
     assert!(!whole.join("second").exists(), "there before it was killed");
     let went_on = said(&batch(&[], data, manifest, whole, &["--retries=3"]).output().unwrap());
     assert_eq!(went_on["published"], 1, "{went_on}");
