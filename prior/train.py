@@ -69,7 +69,10 @@ def arguments():
     parser.add_argument("--levels", action="store_true", help="SplatNet: what is stored in four bits stays so, scales of groups learn")
     parser.add_argument("--muon", action="store_true", help="matrices inside the network by Muon, AdamW for the rest")
     parser.add_argument("--compile", action="store_true", help="compile the network's blocks first (two minutes, then faster)")
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.levels and args.net not in FOUR_BITS:
+        parser.error(f"--levels: nothing of {args.net} is stored in four bits")
+    return args
 
 
 class Average:

@@ -98,7 +98,7 @@ impl<'a> Sheet<'a> {
     fn nearest_solid(&self, volume: &Volume) -> Vec<f32> {
         /// Samples along a block's sides.
         const BLOCK: usize = 4;
-        /// What rounding may make of a projection, pixels, and of a depth, scene units.
+        /// What rounding may make of a projection, pixels, and of a depth, sides of the volume's cells.
         const ROUNDING: f32 = 0.1;
         let c = &self.view.camera;
         let mut nearest = vec![f32::INFINITY; self.width * self.height];
