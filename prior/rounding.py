@@ -1,12 +1,12 @@
 """Round SplatNet's transformers to four bits so that what they answer changes least.
 
-    python rounding.py WEIGHTS OUT.pt [--crops 128] [--seed 0]
+    python rounding.py WEIGHTS OUT.pt [--crops 128] [--seed 0] [--device cpu]
 
 WEIGHTS: .pt of a training, or .onnx. OUT.pt: for export.py, which stores its matrices without any further error. Each matrix is rounded
 input by input, and what an input's weights lose the weights of those that come after it make up for, as far as inputs go together
 (GPTQ, Frantar et al. 2023, algorithm 1); how they go together is seen on generated crops that no training draws, block after block,
 with the blocks before already rounded. What these have lost a layer makes up for as well, by its biases too, as far as it can be told
-from what the layer gets. No GPU needed; half an hour for 128 crops on two cores that have other work.
+from what the layer gets. Half an hour for 128 crops on two cores that have other work; --device cuda takes a GPU.
 """
 
 import argparse
@@ -26,7 +26,7 @@ POOL = 1000  # objects, all of which no training draws
 
 def rounded(matrix, moments):
     """A matrix [in, out] with numbers that `packing.in_four_bits` stores as they are. moments [in, in]: sums of products of two inputs."""
-    levels, scales = torch.from_numpy(LEVELS), torch.from_numpy(SCALES)
+    levels, scales = (torch.from_numpy(numbers).to(matrix.device) for numbers in (LEVELS, SCALES))
     between = (levels[1:] + levels[:-1]) / 2
     left = matrix.double().clone()
     inverse = torch.linalg.cholesky(torch.cholesky_inverse(torch.linalg.cholesky(damped(moments))), upper=True)
@@ -50,7 +50,7 @@ def rounded(matrix, moments):
 
 def damped(moments):
     """Moments that can be inverted, [n, n] float64."""
-    return moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64)
+    return moments.double() + DAMPING * moments.diagonal().mean() * torch.eye(len(moments), dtype=torch.float64, device=moments.device)
 
 
 @torch.no_grad()
@@ -117,12 +117,12 @@ def inputs_of(block, net, batches):
     return seen
 
 
-def generated(crops, seed):
-    """Pairs of crops and hints as SplatNet learns from, of objects of seeds below one million."""
+def generated(crops, seed, device):
+    """Pairs of crops and hints on `device` as SplatNet learns from, of objects of seeds below one million."""
     from synth.batches import make_pool, splat_batch
 
     torch.manual_seed(seed)
-    pool = make_pool(600_000, POOL, 2, "cpu", textures=48)
+    pool = make_pool(600_000, POOL, 2, device, textures=48)
     made = (splat_batch(pool, CROPS_AT_ONCE, SplatNet.FOV, SplatNet.DIST, views=2) for _ in range(-(-crops // CROPS_AT_ONCE)))
     return [(batch.rgba, batch.hint) for batch in made]
 
@@ -133,15 +133,16 @@ def main():
     parser.add_argument("out")
     parser.add_argument("--crops", type=int, default=128)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--device", default="cpu")
     args = parser.parse_args()
-    net = load_weights(SplatNet(), args.weights).eval()
-    batches = generated(args.crops, args.seed)
+    net = load_weights(SplatNet(), args.weights).to(args.device).eval()
+    batches = generated(args.crops, args.seed, args.device)
     grids = net.net.mid, net.net.near
     exact = [inputs_of(blocks[0], net, batches) for blocks in grids]
     # The finer grid's blocks are given what the rounded ones of the coarser grid make.
     for blocks, inputs in zip(grids, exact):
         round_blocks(blocks, inputs_of(blocks[0], net, batches), inputs)
-    torch.save(net.state_dict(), args.out)
+    torch.save(net.cpu().state_dict(), args.out)
     print(args.out)
 
 
