@@ -56,7 +56,7 @@ fn trained(made: &Made, options: &Options, masked: bool) -> Scene {
 }
 
 fn brief() -> Options {
-    Options { iterations: 800, max_gaussians: 20_000, random_points: 6000, ..Options::default() }
+    Options { iterations: 500, max_gaussians: 12_000, random_points: 6000, ..Options::default() }
 }
 
 /// Mean PSNR of held-out views against the photos as a camera of fixed exposure takes them, nothing moving; the whole
@@ -151,7 +151,7 @@ fn the_cap_holds_under_both_strategies_and_mcmc_fills_it() {
 #[test]
 fn exposures_are_compensated() {
     let drifting = made(&site::Options { exposure_drift: 0.35, ..PLAIN });
-    let short = Options { iterations: 500, ..brief() };
+    let short = Options { iterations: 300, ..brief() };
     let with = trained(&drifting, &Options { exposure: true, ..short.clone() }, false);
     let without = trained(&drifting, &short, false);
     // Whatever the photo's own exposure, and as a camera of fixed exposure sees it.
@@ -182,7 +182,7 @@ fn exposures_are_compensated() {
 #[test]
 fn a_mask_hides_what_moves() {
     let moving = made(&site::Options { moving: true, ..PLAIN });
-    let short = Options { iterations: 500, ..brief() };
+    let short = Options { iterations: 300, ..brief() };
     let (with, without) = (trained(&moving, &short, true), trained(&moving, &short, false));
     // Where the van stands in the photos trained on, the scene shows what is behind it, not the van.
     let hidden = |s: &Scene| -> f64 {
@@ -208,12 +208,12 @@ fn a_mask_hides_what_moves() {
 #[test]
 fn nerfs_layout_is_trained_over_white_from_random_places() {
     let thing = made(&site::Options { nerf: true, count: 20, width: 64, ..PLAIN });
-    let s = trained(&thing, &Options { iterations: 600, ..brief() }, false);
+    let s = trained(&thing, &Options { iterations: 400, ..brief() }, false);
     assert!(matches!(s.begun_from, From::Random(n) if n > 3000), "{:?}", s.begun_from);
     assert_eq!((s.held_out.photos, s.trained.photos, s.sky, s.behind), (5, 20, 0, [1.0; 3]));
     assert!(s.held_out.psnr > 17.5, "{:?}", s.held_out);
     // Changing backgrounds leave the surroundings empty.
-    let clear = trained(&thing, &Options { iterations: 600, background: Background::Changing, ..brief() }, false);
+    let clear = trained(&thing, &Options { iterations: 400, background: Background::Changing, ..brief() }, false);
     let frame = crate::splat::render(&clear.gaussians, &clear.cameras[0], [0.0; 3]);
     assert!(
         frame.alpha[0] < 0.05 && frame.alpha[32 * 64 + 32] > 0.8,
