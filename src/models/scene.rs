@@ -395,4 +395,4 @@ fn normalise(depth: &mut Plane) {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

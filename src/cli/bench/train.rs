@@ -349,6 +349,14 @@ mod tests {
         let one = |args: &Train| -> Value { serde_json::from_str(&run(args, &Silent, &mut |_| {}).unwrap()).unwrap() };
         let a = one(&args);
         assert_eq!((&a["iterations"], &a["gaussians_start"]), (&json!(5), &json!(200)));
+        // The same of a scene from a file, a hundredth of the built-in one.
+        let scene = folder.path().join("scene.ply");
+        let (world, marking) = (crate::geo::similarity::Similarity::IDENTITY, crate::audit::Marking::UNCLASSIFIED);
+        let file = crate::export::posed_ply(&scene::gaussians(3000), &world, &marking).unwrap();
+        std::fs::write(&scene, file.bytes).unwrap();
+        let args = Train { scene: Some(scene), ..args };
+        let a = one(&args);
+        assert_eq!((&a["iterations"], &a["gaussians_start"]), (&json!(5), &json!(200)));
         assert_eq!(a["sha256"], one(&args)["sha256"]);
         assert_ne!(a["sha256"], one(&Train { seed: 4, ..args.clone() })["sha256"]);
         // Taken up from half-way, under the same options only.

@@ -1,3 +1,5 @@
+use std::sync::LazyLock;
+
 use super::*;
 use crate::Kind;
 use crate::models::{Rten, Tensor};
@@ -201,13 +203,18 @@ fn an_alpha_channel_replaces_the_networks_mask() {
     assert_eq!(found.bounds, [150, 100, 250, 220]);
 }
 
+/// A photo, and what the built-in networks find in it.
+pub static CONTAINER: LazyLock<(RgbImage, Subject)> = LazyLock::new(|| {
+    let bytes = include_bytes!("../../../tests/data/container.jpg");
+    let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
+    let found = subject(&photo.pixels, None, None, &built_in()).unwrap();
+    (photo.pixels, found)
+});
+
 #[test]
 fn the_network_finds_the_container() {
-    let photo =
-        crate::photo::decode("container.jpg", include_bytes!("../../../tests/data/container.jpg"), &Default::default())
-            .unwrap();
+    let found = &CONTAINER.1;
     let truth = image::load_from_memory(include_bytes!("../../../tests/data/container_mask.png")).unwrap().into_luma8();
-    let found = subject(&photo.pixels, None, None, &built_in()).unwrap();
     let (mut both, mut either) = (0.0, 0.0);
     for (a, b) in truth.iter().zip(&found.mask.data) {
         let (a, b) = (*a > 127, *b > 0.5);

@@ -223,12 +223,9 @@ fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
 #[test]
 fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
     use crate::models::{Rten, prior, scene};
-    let bytes = include_bytes!("../../../tests/data/container.jpg");
-    let photo = crate::photo::decode("container.jpg", bytes, &Default::default()).unwrap();
-    let networks = scene::Networks::built_in(&Rten).unwrap();
-    let subject = scene::subject(&photo.pixels, None, None, &networks).unwrap();
+    let (photo, subject) = &*scene::tests::CONTAINER;
     let graph = prior::SPLAT.loaded(&Rten).unwrap();
-    let view = one_view(&photo.pixels, &subject, None, &*graph).unwrap();
+    let view = one_view(photo, subject, None, &*graph).unwrap();
     assert!(
         (view.elevation.to_degrees() - 15.0).abs() < 6.0,
         "taken from 15°, guessed {}",
