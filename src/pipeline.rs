@@ -56,6 +56,8 @@ pub struct Settings {
     pub levels: usize,
     /// Most triangles of the finest level.
     pub triangles: Option<usize>,
+    /// Whether the finest level has no more vertices than the chain of a CDB model takes, however many triangles are asked for.
+    pub in_store: bool,
     /// Width and height of the finest level's texture: a power of two.
     pub texture: u32,
     /// Whether every level gets a normal map, and an ambient occlusion map.
@@ -224,13 +226,16 @@ fn meshed(
 ) -> Result<Model> {
     let drawers = splat::render::Drawers::with_surface(gaussians, mesh::FIRM);
     let render = |camera: &Camera| mesh::View::drawn(&drawers, camera, GREY);
+    let sized = mesh::Options::sized(settings.triangles, settings.texture);
+    let vertex_caps = if settings.in_store { mesh::Options::default().vertex_caps } else { sized.vertex_caps };
     let options = mesh::Options {
         levels: settings.levels,
+        vertex_caps,
         cut_off_below,
         normal_map: settings.normal_map,
         occlusion: settings.occlusion,
         background: GREY,
-        ..mesh::Options::sized(settings.triangles, settings.texture)
+        ..sized
     };
     mesh::build(&render, photos, &options, progress)
 }

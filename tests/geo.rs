@@ -91,7 +91,8 @@ fn published() -> &'static Path {
     DONE.get_or_init(|| {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
-        let more = ["--format", "cdb,flt", "--stages", "-o", out.to_str().unwrap()];
+        // More triangles than a CDB model's finest level may have.
+        let more = ["--format", "cdb,flt", "--triangles", "40000", "--stages", "-o", out.to_str().unwrap()];
         let done = geo(&samples().join("smart_car.jpg"), &more).output().unwrap();
         assert!(done.status.success(), "{}", text(&done));
         dir

@@ -122,7 +122,7 @@ pub struct GeoArgs {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=4))]
     pub lods: u8,
 
-    /// Most triangles of the finest level. Default: what 8,192 vertices hold.
+    /// Most triangles of the finest level. Default: what 8,192 vertices hold, more than which a CDB model's finest never has.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(64..=200_000))]
     pub triangles: Option<u32>,
 
@@ -279,6 +279,7 @@ fn publish_one(args: &GeoArgs, stop: &AtomicBool, line: Option<&str>) -> Result<
         pitch: args.photos.pitch,
         levels: Format::levels_made(&args.format, args.lods.into()),
         triangles: args.triangles.map(|t| t as usize),
+        in_store: args.format.contains(&Format::Cdb),
         texture: args.texture,
         normal_map: args.normal_map,
         occlusion: args.ao,

@@ -71,6 +71,7 @@ pub fn run(args: &Reconstruct, stop: &AtomicBool) -> Result<u8> {
         pitch: args.photos.pitch,
         levels: 1,
         triangles: None,
+        in_store: false,
         texture: 1024,
         normal_map: false,
         occlusion: false,

@@ -151,10 +151,14 @@ const FEWEST: usize = 24;
 
 /// Level by level, each from the finest surface, unwrapped, none over its cap.
 fn simplified(solid: &Solid, surface: &Surface, options: &Options, progress: &dyn Progress) -> Result<Vec<Mesh>> {
-    // With few triangles asked for, coarse levels would be next to nothing.
-    let worth = |level: &usize| *level == 0 || options.target(*level) >= FEWEST;
+    // With few triangles asked for, coarse levels would be next to nothing. One there must be that the coarsest cap has room for, seams
+    // and all: they make up to four of a vertex.
+    let room = options.vertex_caps[options.levels - 1] / 4;
+    let worth = |level: &usize| *level == 0 || options.target(*level) >= FEWEST || options.target(*level - 1) > room;
     let levels = (0..options.levels).take_while(worth).count();
-    let mut meshes = from_level(0..levels, Simplifier::new(surface), None, (solid, surface), options, progress)?;
+    let mut kept = options.clone();
+    kept.vertex_caps.rotate_left(options.levels - levels);
+    let mut meshes = from_level(0..levels, Simplifier::new(surface), None, (solid, surface), &kept, progress)?;
     meshes.reverse();
     Ok(meshes)
 }
@@ -172,7 +176,7 @@ fn from_level(
     progress.check()?;
     let size = options.texture_size[level];
     let texels = 0.65 * (size as f32).powi(2);
-    let caps = (options.vertex_caps[level], options.target(level));
+    let caps = (options.vertex_caps[level], options.target(level).max(FEWEST));
     let (surface, charts) = fit_best(&mut simplifier, caps, texels, solid, &mut coarser, finest)?;
     let packed = || Ok(assemble(&surface, &charts, &pack::pack(&charts, size)?.uv));
     let next = || from_level(levels, simplifier, coarser, (solid, finest), options, progress);

@@ -195,6 +195,7 @@ mod tests {
             symmetry: Use::Off,
             levels: 1,
             triangles: None,
+            in_store: false,
             texture: 64,
             normal_map: false,
             occlusion: false,

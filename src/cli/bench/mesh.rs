@@ -106,6 +106,7 @@ fn measure(truth: &Truth, args: &MeshBench, progress: &dyn Progress) -> Result<V
         pitch: None,
         levels: 4,
         triangles: None,
+        in_store: false,
         texture: 1024,
         normal_map: false,
         occlusion: false,

@@ -428,6 +428,23 @@ fn a_soft_rim_is_no_surface_and_what_is_faint_throughout_is_one() {
     assert!(all.len() > 40 && met * 10 > 8 * all.len(), "{met} of {}", all.len());
 }
 
+/// As a CDB store takes them: the coarsest level has 128 vertices at most, each finer one four times as many.
+#[test]
+fn however_few_triangles_are_asked_for_the_coarsest_level_keeps_to_the_coarsest_cap() {
+    let scene = scenes::car();
+    for (triangles, levels) in [(64, 1), (250, 2), (1000, 3), (2000, 4)] {
+        let vertex_caps = Options::sized(Some(triangles), 256).vertex_caps;
+        let options = Options { triangles: Some(triangles), vertex_caps, ..quick() };
+        let model = made(&scene, &options);
+        assert_eq!(model.levels.len(), levels, "{triangles} triangles");
+        assert!(model.levels[0].mesh.triangles.len() <= triangles);
+        let counts = model.levels.iter().rev().map(|l| l.mesh.positions.len());
+        for (i, count) in counts.enumerate() {
+            assert!(count <= 128 << (2 * i), "{triangles} triangles: {count} vertices, {i} levels above the coarsest");
+        }
+    }
+}
+
 /// Minutes and gigabytes: `cargo test --release five_million -- --ignored`.
 #[test]
 #[ignore = "takes minutes"]
