@@ -176,7 +176,11 @@ fn from_level(
     progress.check()?;
     let size = options.texture_size[level];
     let texels = 0.65 * (size as f32).powi(2);
-    let caps = (options.vertex_caps[level], options.target(level).max(FEWEST));
+    let caps = Caps {
+        vertices: options.vertex_caps[level],
+        triangles: options.triangles.filter(|_| level == 0).unwrap_or(usize::MAX),
+        target: options.target(level).max(FEWEST),
+    };
     let (surface, charts) = fit_best(&mut simplifier, caps, texels, solid, &mut coarser, finest)?;
     let packed = || Ok(assemble(&surface, &charts, &pack::pack(&charts, size)?.uv));
     let next = || from_level(levels, simplifier, coarser, (solid, finest), options, progress);
@@ -185,6 +189,14 @@ fn from_level(
     meshes.push(mesh);
     progress.step(level as u64 + 1);
     Ok(meshes)
+}
+
+/// What a level may have: vertices, seams counted, and triangles; and how many vertices of the closed surface are tried first.
+#[derive(Clone, Copy)]
+struct Caps {
+    vertices: usize,
+    triangles: usize,
+    target: usize,
 }
 
 /// The solid without its thin parts; where it has none, at half the resolution, in which small holes and handles have closed.
@@ -217,7 +229,7 @@ fn handles(surface: &Surface) -> usize {
 /// As [`fit`]. Where handles starve the rest, plainer solids are tried, and what lies nearest to the finest surface in the mean is kept.
 fn fit_best(
     simplifier: &mut Simplifier,
-    caps: (usize, usize),
+    caps: Caps,
     texels: f32,
     solid: &Solid,
     coarser: &mut Option<Solid>,
@@ -259,15 +271,16 @@ fn fit_best(
 /// Points that distances between two surfaces are measured at, of each.
 const MOST: usize = 30_000;
 
-/// Simplifies until what the seams make of the vertices fits `cap`.
+/// Simplifies until what the seams make of the vertices, and the triangles, fit the caps.
 fn fit(
     simplifier: &mut Simplifier,
-    (cap, target): (usize, usize),
+    caps: Caps,
     texels: f32,
     solid: &Solid,
     coarser: &mut Option<Solid>,
 ) -> Result<(Surface, Vec<Chart>)> {
-    let mut target = simplifier.vertices_left().min(target);
+    let cap = caps.vertices;
+    let mut target = simplifier.vertices_left().min(caps.target);
     loop {
         if !simplifier.reduce_to(target)
             && simplifier.vertices_left() > target.max(4)
@@ -294,10 +307,13 @@ fn fit(
         }
         let charts = charts(&surface, if cap > 1024 { &FLAT } else { &ROUND }, texels);
         let count = split_count(&surface, &charts);
-        if count <= cap {
+        // Every handle adds four triangles to those that as many vertices have without it.
+        let triangles = surface.triangles.len();
+        if count <= cap && triangles <= caps.triangles {
             return Ok((surface, charts));
         }
-        target = (simplifier.vertices_left() * cap / count).min(simplifier.vertices_left() - 1);
+        let (left, over) = (simplifier.vertices_left(), triangles.saturating_sub(caps.triangles));
+        target = (left * cap / count).min(left.saturating_sub(over.div_ceil(2))).min(left - 1);
         if target < 4 {
             return Err(Error::usage("vertex cap").expected("room for the seams").found(format!("{cap} vertices")));
         }

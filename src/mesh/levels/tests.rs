@@ -249,6 +249,9 @@ fn a_box_with_handles_keeps_its_corners() {
     let volume = |level: &Level| {
         Surface { positions: level.mesh.positions.clone(), triangles: level.mesh.triangles.clone() }.volume()
     };
+    let asked = Options { levels: 1, triangles: Some(600), ..quick() };
+    let few = made(&scene, &asked).levels[0].mesh.triangles.len();
+    assert!(few <= 600 && few > 540, "{few} triangles, handles and all");
     let (finest, coarsest) = (volume(&model.levels[0]), volume(&model.levels[3]));
     assert!(coarsest > 0.85 * finest, "{coarsest} of {finest}");
     assert!(model.levels[3].mean_error < 0.035, "{}", model.levels[3].mean_error);
