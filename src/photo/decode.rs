@@ -1,5 +1,6 @@
 //! Bytes → upright sRGB pixels, within limits that hold before anything large is allocated.
 
+use super::colour::to_srgb;
 use super::complete::{jpeg_reaches_its_end, webp_reaches_its_end};
 use super::metadata::{self, Orientation};
 use super::{Exif, Photo};
@@ -36,8 +37,8 @@ impl Default for Limits {
 /// Decodes JPEG, PNG, WebP or TIFF, known by content, not by name.
 ///
 /// EXIF orientation is applied. 16-bit samples are reduced to 8 by rounding, grey and palette become RGB, CMYK JPEG is
-/// converted without its ICC profile; colours are taken as sRGB. Alpha is composited over white and kept as
-/// [`Photo::cutout`] where it cuts something out. Of several frames or pages the first is read.
+/// converted without its ICC profile. Colours are taken as sRGB, and turned to it where the ICC profile is of another RGB. Alpha is
+/// composited over white and kept as [`Photo::cutout`] where it cuts something out. Of several frames or pages the first is read.
 ///
 /// # Errors
 /// Usage errors that name the file: empty, not one of the formats, cut short or damaged, too small, over a limit.
@@ -54,14 +55,18 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
 /// # Errors
 /// As [`decode`].
 pub fn decode_as_stored(name: &str, bytes: &[u8], limits: &Limits) -> Result<(Photo, Orientation)> {
-    let Opened { decoder, format, media_type, exif, orientation } = open(name, bytes, limits)?;
+    let Opened { mut decoder, format, media_type, exif, orientation } = open(name, bytes, limits)?;
     let damaged = |error: image::ImageError| refuse(name, bytes.len(), limits, &error);
     if (format == ImageFormat::Jpeg && !jpeg_reaches_its_end(bytes))
         || (format == ImageFormat::WebP && !webp_reaches_its_end(bytes))
     {
         return Err(cut_short(name, bytes.len()));
     }
-    let (pixels, cutout) = flatten(DynamicImage::from_decoder(decoder).map_err(damaged)?);
+    let profile = decoder.icc_profile().ok().flatten();
+    let (mut pixels, cutout) = flatten(DynamicImage::from_decoder(decoder).map_err(damaged)?);
+    if let Some(profile) = profile {
+        to_srgb(&mut pixels, &profile);
+    }
     let photo = Photo {
         name: name.to_owned(),
         media_type,

@@ -1,5 +1,6 @@
 //! Photo in: decoding within limits, orientation, EXIF, planes of floats, resampling.
 
+mod colour;
 mod complete;
 mod decode;
 mod gps;

@@ -284,3 +284,20 @@ fn tiff_header(width: u32, height: u32, strip_bytes: u32) -> Vec<u8> {
     out.resize(256, 0);
     out
 }
+
+#[test]
+fn a_profile_in_the_file_says_what_its_colours_are() {
+    use image::ImageEncoder;
+    use moxcms::ColorProfile;
+    let plain = RgbImage::from_pixel(96, 64, image::Rgb([100, 150, 80]));
+    let decoded = |profile: ColorProfile| {
+        let mut bytes = Vec::new();
+        let mut encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+        encoder.set_icc_profile(profile.encode().unwrap()).unwrap();
+        encoder.write_image(&plain, 96, 64, image::ExtendedColorType::Rgb8).unwrap();
+        decode("wide.png", &bytes, &Limits::default()).unwrap().pixels[(5, 7)].0
+    };
+    assert_eq!(decoded(ColorProfile::new_srgb()), [100, 150, 80]);
+    let turned = decoded(ColorProfile::new_adobe_rgb());
+    assert!(turned.iter().zip([66u8, 151, 74]).all(|(a, b)| a.abs_diff(b) <= 1), "{turned:?}");
+}
