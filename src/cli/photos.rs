@@ -16,7 +16,7 @@ use crate::audit::statement::{Input, Param};
 use crate::audit::{Marking, record};
 use crate::geo::{AltDatum, Geodetic, to_ellipsoid};
 use crate::models::Rten;
-use crate::photo::{self, AltitudeAbove, Exif, Photo};
+use crate::photo::{self, AltitudeAbove, Exif, Photo, focal_in_pixels};
 use crate::photos::register::{self, Fix};
 use crate::photos::{Posed, Poses, control, poses, sfm};
 use crate::pipeline::several::{self, Options, Role, Scores, Several};
@@ -320,7 +320,7 @@ impl Folder {
             all.push((size, self.exif.get(&name_of(file)).and_then(|e| e.focal_35mm)));
         }
         let Some(&((w, h), focal)) = all.first() else { return Ok(None) };
-        let pixels = focal.map(|f| f * f64::from(w).hypot(f64::from(h)) / 43.266_615);
+        let pixels = focal.map(|f| focal_in_pixels(f, w, h));
         Ok(all.iter().all(|a| *a == all[0]).then_some((w, h, pixels)))
     }
 

@@ -5,6 +5,7 @@
 
 use super::Extents;
 use super::positive::Positive;
+use crate::photo::focal_in_pixels;
 use crate::{Error, Result};
 
 /// A dimension the operator knows, metres.
@@ -197,8 +198,6 @@ const POSED_FOCAL_SIGMA: f64 = 0.01;
 const EXTENT_SIGMA: f64 = 0.02;
 /// A dimension that somebody measured or looked up.
 const KNOWN_SIGMA: f64 = 0.01;
-/// Diagonal of a 36 × 24 mm frame.
-const DIAGONAL_35MM: f64 = 43.266_615;
 
 impl View {
     /// Focal length in pixels of the photo, its relative standard deviation, and who says it.
@@ -241,11 +240,6 @@ impl View {
             (None, None) => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
         }
     }
-}
-
-/// Pixels of a photo of this size, of a focal length that is said for a frame of 36 × 24 mm: by both diagonals.
-pub fn focal_in_pixels(focal_35mm: f64, width: u32, height: u32) -> f64 {
-    focal_35mm * f64::from(width).hypot(f64::from(height)) / DIAGONAL_35MM
 }
 
 /// Combines what is known.

@@ -130,6 +130,7 @@ fn open<'a>(name: &str, bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>> 
         Ok(Some(packet)) => exif.with_xmp(&packet),
         _ => exif,
     };
+    let exif = exif.of_picture(width, height);
     Ok(Opened { decoder, format, media_type, exif, orientation })
 }
 

@@ -8,8 +8,10 @@ use super::xmp::{self, Gimbal};
 /// What the camera wrote beside the picture; absent tags stay `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exif {
-    /// Focal length in 35 mm equivalent, millimetres.
+    /// Focal length in 35 mm equivalent, millimetres; of the whole picture that the camera took.
     pub focal_35mm: Option<f64>,
+    /// Pixels of that picture, as written.
+    pub taken: Option<(u32, u32)>,
     /// Bearing of the optical axis, degrees clockwise from true north, [0, 360).
     pub image_direction: Option<f64>,
     /// The direction was relative to magnetic north (then `image_direction` is as written, uncorrected).
@@ -42,6 +44,16 @@ impl Exif {
                 vertical_accuracy: xmp.vertical_accuracy.or(p.vertical_accuracy),
                 ..p
             });
+        }
+        self
+    }
+
+    /// Of a picture of `width` by `height`: where it has another shape than what the camera took, somebody cut it, and no focal
+    /// length is known of what is left.
+    pub(super) fn of_picture(mut self, width: u32, height: u32) -> Self {
+        let shape = |(w, h): (u32, u32)| f64::from(w.max(h)) / f64::from(w.min(h).max(1));
+        if self.taken.is_some_and(|taken| (shape(taken) / shape((width, height)) - 1.0).abs() > 0.02) {
+            self.focal_35mm = None;
         }
         self
     }
@@ -81,7 +93,12 @@ impl Orientation {
 }
 
 /// The diagonal of a 36 × 24 mm frame.
-const FULL_FRAME_DIAGONAL: f64 = 43.266_615_305_567_87;
+pub const DIAGONAL_35MM: f64 = 43.266_615_305_567_87;
+
+/// Pixels of a photo of this size, of a focal length that is said for a frame of 36 × 24 mm: by both diagonals.
+pub fn focal_in_pixels(focal_35mm: f64, width: u32, height: u32) -> f64 {
+    focal_35mm * f64::from(width).hypot(f64::from(height)) / DIAGONAL_35MM
+}
 
 /// Reads a raw EXIF block (a TIFF structure). Damaged tags are skipped: a photo is not refused for its metadata.
 pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
@@ -92,11 +109,12 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
     };
     let uint = |tag| tags.get_field(tag, In::PRIMARY).and_then(|f| f.value.get_uint(0));
     let real = |tag| tags.get_field(tag, In::PRIMARY).and_then(|f| real(&f.value));
+    let taken = uint(Tag::PixelXDimension).zip(uint(Tag::PixelYDimension)).filter(|(w, h)| *w.min(h) > 0);
     let focal_35mm = uint(Tag::FocalLengthIn35mmFilm)
         .filter(|&focal| focal > 0)
         .map(f64::from)
         .or_else(|| {
-            let pixels = (f64::from(uint(Tag::PixelXDimension)?), f64::from(uint(Tag::PixelYDimension)?));
+            let pixels = taken.map(|(w, h)| (f64::from(w), f64::from(h)))?;
             let per_unit = (real(Tag::FocalPlaneXResolution)?, real(Tag::FocalPlaneYResolution)?);
             let unit_mm = match uint(Tag::FocalPlaneResolutionUnit).unwrap_or(2) {
                 2 => 25.4,
@@ -104,7 +122,7 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
                 _ => return None,
             };
             let diagonal = (pixels.0 / per_unit.0).hypot(pixels.1 / per_unit.1) * unit_mm;
-            Some(real(Tag::FocalLength)? * FULL_FRAME_DIAGONAL / diagonal)
+            Some(real(Tag::FocalLength)? * DIAGONAL_35MM / diagonal)
         })
         .filter(|f| (4.0..=3000.0).contains(f));
     let image_direction =
@@ -116,6 +134,7 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
     let orientation = uint(Tag::Orientation).map(Orientation::from_tag).unwrap_or_default();
     let exif = Exif {
         focal_35mm,
+        taken,
         image_direction,
         direction_is_magnetic,
         position: gps::position(&tags),
@@ -155,6 +174,21 @@ mod tests {
             (Tag::FocalLength, Value::Rational(rational(50, 10))),
         ]));
         assert_eq!(exif.focal_35mm, Some(28.0));
+    }
+
+    #[test]
+    fn what_somebody_cut_from_a_picture_has_no_known_focal_length() {
+        let (exif, _) = read(exif_block(&[
+            (Tag::FocalLengthIn35mmFilm, Value::Short(vec![28])),
+            (Tag::PixelXDimension, Value::Long(vec![4000])),
+            (Tag::PixelYDimension, Value::Long(vec![3000])),
+        ]));
+        let of = |width, height| exif.clone().of_picture(width, height).focal_35mm;
+        // Made smaller, to whole pixels; stood upright.
+        assert_eq!([of(4000, 3000), of(1333, 1000), of(768, 1024)], [Some(28.0); 3]);
+        assert_eq!([of(3000, 3000), of(4000, 2250)], [None; 2]);
+        let silent = Exif { taken: None, ..exif.clone() };
+        assert_eq!(silent.of_picture(3000, 3000).focal_35mm, Some(28.0));
     }
 
     #[test]

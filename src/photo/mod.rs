@@ -15,7 +15,7 @@ mod xmp;
 
 pub use decode::{Limits, decode, decode_as_stored, metadata};
 pub use gps::{AltitudeAbove, Position};
-pub use metadata::{Exif, Orientation};
+pub use metadata::{DIAGONAL_35MM, Exif, Orientation, focal_in_pixels};
 pub use plane::{Plane, silhouette_iou};
 pub use resample::{Edge, Rect, sample_colour, sample_plane};
 pub use xmp::Gimbal;

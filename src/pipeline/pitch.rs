@@ -1,10 +1,10 @@
 //! The camera's elevation over the subject where somebody says how far it looked up or down, or a drone's gimbal measured it:
 //! better than what any network guesses.
 
-use crate::geo::scale::{ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, focal_in_pixels};
+use crate::geo::scale::{ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA};
 use crate::geo::sight::{GIVEN_PITCH_SIGMA, PITCH_SIGMA, below_axis};
 use crate::models::scene::Elevation;
-use crate::photo::{Exif, Rect};
+use crate::photo::{Exif, Rect, focal_in_pixels};
 
 /// By the pitch of the optical axis, degrees above the horizon (`given`, else the gimbal's), and the row of the crop's middle in a
 /// photo of `width` by `height` pixels. `None` where nobody says.

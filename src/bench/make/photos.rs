@@ -12,6 +12,7 @@ use super::{Random, entry, mask, model, rgba, surroundings, things};
 use crate::audit::{Marking, inband};
 use crate::geo::similarity::Similarity;
 use crate::geo::{Enu, Geodetic};
+use crate::photo::DIAGONAL_35MM;
 use crate::splat::Camera;
 use crate::{Error, Result, views};
 
@@ -171,5 +172,3 @@ pub(super) fn tags(at: Geodetic, noise: f64, focal: f32, width: u32) -> Result<V
 
 /// The ground's, that features be found on it.
 pub(super) const GRAIN: f32 = 0.7;
-/// Of a 36 × 24 mm frame, millimetres.
-const DIAGONAL_35MM: f64 = 43.266_615;

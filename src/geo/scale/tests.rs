@@ -1,4 +1,5 @@
 use super::*;
+use crate::photo::DIAGONAL_35MM;
 
 const EXTENTS: Extents = Extents { height: 0.8, length: 2.0, width: 0.8, centre_above_ground: 0.35 };
 
