@@ -79,13 +79,20 @@ def joined(scene, splat):
     return (rows[:, 0] * weight).sum() / weight.sum()
 
 
-def crop(photo, mask):
-    """The square around the mask on grey with the mask itself, [1, 4, 256, 256]; None if there is no subject."""
+def box(mask):
+    """Bounds of the mask, pixels: left, top, right, bottom; None if there is no subject."""
     rows, columns = torch.where(mask > 0.5)
     if len(rows) < 50:
         return None
-    left, right = columns.min().item(), columns.max().item() + 1
-    top, bottom = rows.min().item(), rows.max().item() + 1
+    return columns.min().item(), rows.min().item(), columns.max().item() + 1, rows.max().item() + 1
+
+
+def crop(photo, mask):
+    """The square around the mask on grey with the mask itself, [1, 4, 256, 256]; None if there is no subject."""
+    bounds = box(mask)
+    if not bounds:
+        return None
+    left, top, right, bottom = bounds
     side = max(right - left, bottom - top) / FILL
     steps = (torch.arange(SplatNet.SIZE, device=DEVICE) + 0.5) / SplatNet.SIZE * side - side / 2
     across, down = torch.meshgrid((left + right) / 2 + steps, (top + bottom) / 2 + steps, indexing="xy")
@@ -93,6 +100,22 @@ def crop(photo, mask):
     colour = F.grid_sample(photo[None], grid, mode="bilinear", padding_mode="border", align_corners=False)[0]
     alpha = F.grid_sample(mask[None, None], grid, mode="bilinear", padding_mode="zeros", align_corners=False)[0]
     return torch.cat([colour * alpha + 0.5 * (1 - alpha), alpha])[None]
+
+
+def crop_tangent(mask, focal):
+    """Tangent of half the angle that the crop around the mask spans; the photo's focal length in its pixels, optical axis in its middle.
+
+    Beside the axis a pixel spans less: across it the cosine, along it the cosine squared of what it does there; the mean counts.
+    """
+    left, top, right, bottom = box(mask)
+    aside = math.hypot((left + right - len(mask)) / 2, (top + bottom - len(mask)) / 2)
+    cosine = focal / math.hypot(focal, aside)
+    return max(right - left, bottom - top) / FILL / 2 / focal * cosine**1.5
+
+
+def hinted(elevation, tangent=0.0):
+    """What SplatNet is told [1, 3]: of the elevation [1, 2], and the tangent of half the angle that the crop spans, 0 where nobody says."""
+    return F.pad(elevation, (0, 1), value=tangent)
 
 
 def rotations(quaternions):
@@ -216,7 +239,7 @@ def score_object(folder, scene, splat):
                 print(folder.name, view["name"], source, "shows no subject")
                 continue
             with torch.no_grad():
-                splats = splat(rgba, seen.mean(0, keepdim=True))
+                splats = splat(rgba, hinted(seen.mean(0, keepdim=True)))
             said = {"scene": seen[:, 0].mean(), "splat": splats["elevation"][0, 0], "": joined(seen, splats["elevation"])}
             errors = {k: abs(math.degrees(v.item()) - view["elevation_deg"]) for k, v in said.items()}
             scores = {f"{k}_elevation_error_deg".lstrip("_"): v for k, v in errors.items()}

@@ -46,7 +46,7 @@ class Detail(torch.nn.Module):
 
 
 class Splat(torch.nn.Module):
-    """rgba [1, 4, 256, 256], hint [1, 2] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
+    """rgba [1, 4, 256, 256], hint [1, 3] -> the Gaussians as a tuple in the order of SPLAT_OUTPUTS."""
 
     def __init__(self, net):
         super().__init__()
@@ -94,7 +94,7 @@ def main():
         learned = torch.load(args.error, map_location="cpu", weights_only=True)
         net.load_state_dict({k: v.float() for k, v in learned.items() if k.startswith("er.")}, strict=False)
     wrapper, sources, outputs = GRAPHS[args.net]
-    examples = (torch.rand(1, 4, net.SIZE, net.SIZE), torch.full((1, 2), 0.2))[: len(sources)]
+    examples = (torch.rand(1, 4, net.SIZE, net.SIZE), torch.full((1, 3), 0.2))[: len(sources)]
     export(wrapper(net), examples, args.out, sources, outputs, FOUR_BITS.get(args.net, ()))
 
 

@@ -160,8 +160,8 @@ def head(width, numbers):
 
 
 def hint_head(width):
-    """From what is known beforehand of the elevation (`SplatNet.forward`), as three numbers, to what is added to every token; 0 at first."""
-    layers = nn.Sequential(nn.Linear(3, 64), nn.SiLU(), nn.Linear(64, width))
+    """From what is known beforehand (`SplatNet.forward`), as five numbers, to what is added to every token; 0 at first."""
+    layers = nn.Sequential(nn.Linear(5, 64), nn.SiLU(), nn.Linear(64, width))
     nn.init.zeros_(layers[2].weight)
     nn.init.zeros_(layers[2].bias)
     return layers
@@ -262,11 +262,13 @@ class SplatNet(nn.Module):
             self.net.head.bias.zero_()
 
     def forward(self, x, hint=None):
-        """`hint` [B, 2]: what whoever saw more than the crop says of the elevation, and the error to be expected of it, both in
-        radians: SceneNet, or a gimbal that measured it. An error of 0, or no hint: nobody says."""
-        hint = x.new_zeros(len(x), 2) if hint is None else hint
-        said = (hint[:, 1:] > 0).float()
-        hint = torch.cat([hint[:, :1], torch.log(hint[:, 1:].clamp(min=0.01) * 10), said], 1) * said
+        """`hint` [B, 3]: what whoever saw more than the crop says of the elevation, and the error to be expected of it, both in
+        radians: SceneNet, or a gimbal that measured it; and the tangent of half the angle that the crop spans, where the photo's
+        focal length is known. An error or a tangent of 0, or no hint: nobody says."""
+        hint = x.new_zeros(len(x), 3) if hint is None else hint
+        said, known = (hint[:, 1:2] > 0).float(), (hint[:, 2:] > 0).float()
+        spans = torch.log(hint[:, 2:].clamp(min=0.01) / CROP_TANGENT) * known
+        hint = torch.cat([hint[:, :1] * said, torch.log(hint[:, 1:2].clamp(min=0.01) * 10) * said, said, spans, known], 1)
         fine = self.fine(x * 2 - 1)
         x = halved(x)
         y, mean_token, features = self.net(x * 2 - 1, fine, self.hint(hint)[:, None])
@@ -276,7 +278,7 @@ class SplatNet(nn.Module):
         batch, _, height, width = y.shape
         y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
 
-        camera = self.camera(mean_token)
+        camera = placed(self.camera(mean_token), spans, known)
         depth = self.DIST + 1.3 * torch.tanh(y[:, :, :1] + self.depth_bias(x.device))
         offset = self.reach(x) * torch.tanh(y[:, :, 1:4] * 0.5)
         position = crop_rays(camera, depth, self.DIST) + offset
@@ -322,6 +324,15 @@ class SplatNet(nn.Module):
 # inverse distance. Versions to 0.2 knew no other.
 CROP_HALF = SplatNet.DIST * math.tan(SplatNet.FOV / 2)
 CROP_NEARNESS = 1 / SplatNet.DIST
+# And the tangent of half the angle that the crop spans there.
+CROP_TANGENT = CROP_HALF * CROP_NEARNESS
+
+
+def placed(camera, spans, known):
+    """The camera [B, 4] as near as it must be where the crop's angle is `known` [B, 1]; spans [B, 1]: the log of its tangent over
+    `CROP_TANGENT`, which is half the crop's width at the subject's centre times the nearness."""
+    nearness = known * (spans - camera[:, :1]) + (1 - known) * camera[:, 3:]
+    return torch.cat([camera[:, :3], nearness], 1)
 
 
 def crop_rays(camera, depth, distance):
@@ -363,7 +374,7 @@ def grown(net, state):
                 state[name] = value.clone()
             elif len(state[name]) < len(value):
                 state[name] = torch.cat([state[name], torch.zeros_like(value[len(state[name]) :])])
-        if name == "net.stem.weight" and state[name].shape != value.shape:
+        if name in ("net.stem.weight", "hint.0.weight") and state[name].shape != value.shape:
             wider = torch.zeros_like(value)
             wider[:, : state[name].shape[1]] = state[name]
             state[name] = wider

@@ -149,11 +149,12 @@ def compare(which, net, path, seed=0):
         return
     session = onnxruntime.InferenceSession(path, providers=["CPUExecutionProvider"])
     generator = torch.Generator().manual_seed(seed)
-    # SplatNet took no hint before 0.18.
     examples = [torch.rand(source.shape, generator=generator) for source in session.get_inputs()]
     ours_too = [as_taken_now(examples[0], which), *examples[1:]]
-    if which == "splat" and len(examples) == 1:
-        ours_too.append(torch.zeros(1, 2))
+    if which == "splat":
+        # It took no hint before 0.18, and none of the lens before 0.26.
+        hint = examples[1] if len(examples) > 1 else torch.zeros(1, 0)
+        ours_too[1:] = [F.pad(hint, (0, 3 - hint.shape[1]))]
     wrapped = WRAPPERS[which](net.cpu().float()).eval()
     with torch.no_grad():
         ours = wrapped(*ours_too)

@@ -281,6 +281,7 @@ pub fn fit(
     let mut subject = subject?;
     let crop = splat_prior::crop_around(&subject);
     let measured = pitch::elevation(settings.pitch, &photo.exif, photo.pixels.dimensions(), crop);
+    let taken = splat_prior::Taken { elevation: measured, focal: photo.focal() };
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);
@@ -292,7 +293,7 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let splat = splat.unwrap_or_else(|| prior::SPLAT.loaded(engine))?;
-    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, measured, &*splat)?;
+    let mut one_view = splat_prior::one_view(&photo.pixels, &subject, &taken, &*splat)?;
     drop(splat);
     // Before the prior's views are drawn; views drawn by others replace its surface, so then after them.
     if let Some(seen) = depth.take_if(|_| sources.views_are_the_priors()) {

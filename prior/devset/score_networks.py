@@ -1,6 +1,6 @@
 """Score both networks alone, nothing after them: the figures of the README's tables.
 
-    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS [--lpips LPIPS.onnx] [--widen 1]   # networks: .onnx, or .pt of a training
+    python devset/score_networks.py SCENE SPLAT DEVSET PHOTOS [--lpips LPIPS.onnx] [--widen 1] [--lens]   # networks: .onnx, or .pt of a training
 
 DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks of PHOTOS are those in `real/masks`. Prints
 
@@ -13,6 +13,7 @@ DEVSET as `render.py` makes it, PHOTOS as `real/fetch.py` does; the true masks o
   views within 60 degrees of the photo at that scale, the same three at the scale and shift that fit the silhouettes best (nor does
   a photo show the box's middle: `score.best_place`), and the error of its elevation; with a graph of LPIPS (inputs `ref` and
   `dist`, normalised as ImageNet's networks want it), its means over the views in its own unit and so placed, drawn on to 256 x 256.
+  With --lens SplatNet is told the photo's focal length, as most cameras write it into their files.
   `--widen 1` widens the Gaussians as the pictures did that versions up to 0.6 learned by, `BLUR`; since 0.7 pictures are true to size.
 """
 
@@ -71,7 +72,7 @@ def score_photos(scene, splat, objects, kind):
         photo = photo_of(folder, kind)
         mask, seen = evaluate.look(scene, photo)
         masks[folder.name] = evaluate.mask_iou(mask, evaluate.true_mask(folder / "mask.png"))
-        hint = seen.mean(0, keepdim=True)
+        hint = evaluate.hinted(seen.mean(0, keepdim=True))
         alone, told = (splat(evaluate.crop(photo, mask), h)["elevation"] for h in (None, hint))
         said = (hint[0, 0], alone[0, 0], told[0, 0], evaluate.joined(seen, told))
         truth = cameras["views"][0]["elevation_deg"]
@@ -101,14 +102,16 @@ def lpips(graph, drawn, truth):
 
 
 @torch.no_grad()
-def score_shape(scene, splat, folder, cameras, graph, widen):
+def score_shape(scene, splat, folder, cameras, graph, widen, lens):
     """`view_figures` of one object, the error of its elevation before LPIPS."""
     views = [v for v in cameras["views"] if v["group"] == "gt" and (folder / v["file"]).exists()][::EVERY]
     truth = torch.stack([evaluate.picture(folder / v["file"], "RGBA") for v in views])
     colour, alpha = truth[:, :3] * truth[:, 3:] + 1 - truth[:, 3:], truth[:, 3]
     photo = photo_of(folder, "plain")
-    hint = evaluate.look(scene, photo)[1].mean(0, keepdim=True)
-    answer = splat(evaluate.crop(photo, evaluate.true_mask(folder / "mask.png")), hint)
+    mask = evaluate.true_mask(folder / "mask.png")
+    focal = evaluate.PHOTO / 2 / math.tan(math.radians(cameras["fov_x_deg"]) / 2)
+    told = evaluate.crop_tangent(mask, focal) if lens else 0.0
+    answer = splat(evaluate.crop(photo, mask), evaluate.hinted(evaluate.look(scene, photo)[1].mean(0, keepdim=True), told))
     answer["scale"] = (answer["scale"] ** 2 + (widen * BLUR) ** 2).sqrt()
     elevation = answer["elevation"][0, 0]
     azimuth, size = math.radians(cameras["photo_azimuth_deg"]), np.array(cameras["size_m"])
@@ -145,11 +148,11 @@ def view_figures(answer, azimuth, size, views, colour, alpha, graph=None):
     return [*own, best, *(scores[best][k] for k in kinds), *(placed[k] for k in kinds)], perceived
 
 
-def score_shapes(scene, splat, objects, graph, widen):
+def score_shapes(scene, splat, objects, graph, widen, lens):
     rows = []
     print("shapes: IoU, PSNR; best scale, IoU, PSNR, PSNR of near views there; these three placed best; elevation error; LPIPS, both")
     for folder, cameras in objects:
-        rows.append(score_shape(scene, splat, folder, cameras, graph, widen))
+        rows.append(score_shape(scene, splat, folder, cameras, graph, widen, lens))
         print(f"    {folder.name:20}", " ".join(f"{v:7.3f}" for v in rows[-1]), flush=True)
     print("shapes, mean:", " ".join(f"{v:.3f}" for v in np.mean(rows, 0)))
 
@@ -162,6 +165,7 @@ def main():
     parser.add_argument("photos", type=Path)
     parser.add_argument("--lpips")
     parser.add_argument("--widen", type=float, default=0.0)
+    parser.add_argument("--lens", action="store_true")
     args = parser.parse_args()
     graph = None
     if args.lpips:
@@ -174,7 +178,7 @@ def main():
     score_real(scene, args.photos)
     for kind in ("plain", "outdoor"):
         score_photos(scene, splat, objects, kind)
-    score_shapes(scene, splat, objects, graph, args.widen)
+    score_shapes(scene, splat, objects, graph, args.widen, args.lens)
 
 
 if __name__ == "__main__":

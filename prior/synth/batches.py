@@ -11,7 +11,7 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
-from nets import CROP_HALF, CROP_NEARNESS, halved
+from nets import CROP_HALF, CROP_NEARNESS, CROP_TANGENT, halved
 
 from .cameras import crop, inverses, look_at, matrices, orbit, pack, rolled
 from .clutter import BOUGHS, add_boughs, add_distractor, add_perch, disguise
@@ -125,6 +125,13 @@ def hints(elevation):
         [torch.where(measured, elevation + laplace(elevation) * exact, told), torch.where(measured, exact, spread)], 1
     )
     return hint * (kind < 0.9)[:, None]
+
+
+def lenses_told(camera):
+    """What is known beforehand of the photos' focal lengths, as `nets.SplatNet` reads it [n, 1], of cameras as `crop_camera` has them:
+    of half of the photos the tangent of half the angle that the crop spans, to the 3 % by which files tell of lenses, or 0."""
+    tangent = CROP_TANGENT * torch.exp(camera[:, 0] + camera[:, 3] + 0.03 * torch.randn_like(camera[:, 0]))
+    return (tangent * (uniform(tangent, 0, 1) < 0.5))[:, None]
 
 
 def laplace(like):
@@ -282,7 +289,7 @@ class SplatBatch(NamedTuple):
     view; the first one is the canonical camera itself. lenses [n, V, 3]: focal length and middle of each view's picture,
     pixels. colour [n, V, 3, S, S] (sRGB, premultiplied), alpha
     [n, V, 1, S, S]. front [n, S, S]: canonical depth of what the crop shows, 0 where that is nothing. camera [n, 4] of
-    the crop, as `nets.crop_rays` reads it. elevation [n] in radians, hint [n, 2] of it (`hints`). empty [n]: the crop shows nothing. The first `dressed`
+    the crop, as `nets.crop_rays` reads it. elevation [n] in radians, hint [n, 3] (`hints`, `lenses_told`). empty [n]: the crop shows nothing. The first `dressed`
     crops wear textures that the truth's views do not have: of their colours only the large patches can be compared.
     """
 
@@ -357,7 +364,7 @@ def splat_batch(pool, n, fov, distance, size=256, views=4):
         front=nearest(front),
         camera=camera,
         elevation=elevation,
-        hint=hints(elevation),
+        hint=torch.cat([hints(elevation), lenses_told(camera)], 1),
         empty=empty,
         dressed=dressed,
     )

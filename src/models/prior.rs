@@ -34,8 +34,8 @@ pub static DETAIL: Weights = Weights {
 /// Cropped subject → Gaussians, the camera's elevation and where the crop's camera stands.
 pub static SPLAT: Weights = Weights {
     id: "orb-splat-net",
-    version: "0.25",
-    sha256: "eec13b7380d27cc23c2927598928399b3320344f776c133c7d1897523eeb37bd",
+    version: "0.26",
+    sha256: "81850ea232b9ddbc8d840d2380bb4083e8487cc65771bba49270f84707f28f3d",
     onnx: include_bytes!("../../prior/splat.onnx"),
 };
 

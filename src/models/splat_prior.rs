@@ -66,16 +66,20 @@ pub struct OneView {
     pub mask: Plane,
 }
 
-/// Runs the network on the crop around the subject. What `measured` the elevation is told to it in place of the subject's.
+/// What is known of the camera that took the photo, beside what the photo shows; by default nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Taken {
+    /// Of the camera above the horizon, where it was measured: counts in place of what the subject's surroundings say.
+    pub elevation: Option<Elevation>,
+    /// Focal length, pixels of the photo.
+    pub focal: Option<f64>,
+}
+
+/// Runs the network on the crop around the subject. What is known of how the photo was `taken` is told to it.
 ///
 /// # Errors
 /// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
-pub fn one_view(
-    photo: &RgbImage,
-    subject: &Subject,
-    measured: Option<Elevation>,
-    graph: &dyn Graph,
-) -> Result<OneView> {
+pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn Graph) -> Result<OneView> {
     let mut wanted = vec![
         Port::new("position", &[1, COUNT, 3]),
         Port::new("scale", &[1, COUNT, 3]),
@@ -91,14 +95,16 @@ pub fn one_view(
     check_contract(
         "splat network",
         graph,
-        &[Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 2])],
+        &[Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 3])],
         &wanted,
     )?;
     let crop = crop_around(subject);
     let rgba = network_input(photo, subject, crop)?;
-    // The crop has no horizon and no ground: what saw them says how the camera looks.
-    let told = measured.unwrap_or(subject.elevation);
-    let hint = Tensor::new(&[1, 2], vec![told.mean, told.spread])?;
+    // The crop has no horizon and no ground: what saw them says how the camera looks. Nor does it say how near the camera stood: the
+    // same crop is what a long lens saw of a long subject.
+    let told = taken.elevation.unwrap_or(subject.elevation);
+    let tangent = taken.focal.map_or(0.0, |focal| half_angle(crop, photo.dimensions(), focal));
+    let hint = Tensor::new(&[1, 3], vec![told.mean, told.spread, tangent])?;
     let mut outputs = graph.run(&[("rgba", &rgba), ("hint", &hint)])?;
     let canonical = Canonical {
         position: take(&mut outputs, "position", 3 * COUNT)?,
@@ -118,7 +124,7 @@ pub fn one_view(
     let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
     // It was taught to trust hints less than they deserve at the height of eyes.
-    let seen_from = match measured {
+    let seen_from = match taken.elevation {
         Some(measured) => confirmed(measured, own),
         None => agreed(own, subject.elevation),
     };
@@ -182,6 +188,17 @@ pub fn crop_around(subject: &Subject) -> Rect {
     let (sx, sy) = subject.scale;
     let side = ((x1 - x0) * sx).max((y1 - y0) * sy) / FILL;
     Rect { x: (x0 + x1) / 2.0 * sx - side / 2.0, y: (y0 + y1) / 2.0 * sy - side / 2.0, width: side, height: side }
+}
+
+/// Tangent of half the angle that the crop spans, in a photo of `width` by `height` pixels and a focal length of `focal` pixels.
+///
+/// Beside the optical axis a pixel spans less: across the way there the cosine, along it the cosine squared of what it does on the axis; the
+/// (geometric) mean of both counts.
+fn half_angle(crop: Rect, (width, height): (u32, u32), focal: f64) -> f32 {
+    let aside = (f64::from(crop.x + crop.width / 2.0) - f64::from(width) / 2.0)
+        .hypot(f64::from(crop.y + crop.height / 2.0) - f64::from(height) / 2.0);
+    let cosine = focal / focal.hypot(aside);
+    (f64::from(crop.width) / 2.0 / focal * cosine.powf(1.5)) as f32
 }
 
 fn crop_mask(subject: &Subject, crop: Rect, size: usize) -> Plane {

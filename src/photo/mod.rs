@@ -35,3 +35,11 @@ pub struct Photo {
     pub cutout: Option<image::GrayImage>,
     pub exif: Exif,
 }
+
+impl Photo {
+    /// Focal length in pixels, where the file says it.
+    pub fn focal(&self) -> Option<f64> {
+        let (width, height) = self.pixels.dimensions();
+        self.exif.focal_35mm.map(|mm| focal_in_pixels(mm, width, height))
+    }
+}

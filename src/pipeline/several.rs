@@ -6,7 +6,7 @@ use super::optimise::{trained, uncomposited};
 use super::{Clock, Fitted, GREY, Settings, VIEW, VIEW_SIZE, render_all};
 use crate::bench::{Picture, perception};
 use crate::geo::similarity::Similarity;
-use crate::models::splat_prior::{self, OneView};
+use crate::models::splat_prior::{self, OneView, Taken};
 use crate::models::{Engine, prior};
 use crate::photo::{Photo, silhouette_iou};
 use crate::photos::colmap::is_test;
@@ -133,7 +133,10 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let reference = &poses.photos[best.index];
-    let mut one_view = splat_prior::one_view(&best.photo.pixels, &best.subject, None, &*prior::SPLAT.loaded(engine)?)?;
+    let reference_focal = (!options.searched).then(|| posed_focal(reference, &best.photo));
+    let taken = Taken { focal: reference_focal.or_else(|| best.photo.focal()), elevation: None };
+    let mut one_view =
+        splat_prior::one_view(&best.photo.pixels, &best.subject, &taken, &*prior::SPLAT.loaded(engine)?)?;
     let posed = square_camera(reference, &best.photo, &one_view, &to_unit);
     let (first, own) = (start::by_camera(&one_view.camera, &posed), one_view.gaussians.len());
     let placed = start::settle(&one_view.gaussians, first, &training);
@@ -199,7 +202,7 @@ pub fn fit(
         up_by,
         ground,
         reference: best.index,
-        reference_focal: (!options.searched).then(|| posed_focal(reference, &best.photo)),
+        reference_focal,
         network_iou,
         started_from,
         trained: scores(false),

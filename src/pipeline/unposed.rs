@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::GREY;
 use crate::models::pattern_search::pattern_search;
 use crate::models::scene;
-use crate::models::splat_prior::{self, OneView};
+use crate::models::splat_prior::{self, OneView, Taken};
 use crate::models::{Engine, prior};
 use crate::photo::{Edge, Photo, Plane, Rect, sample_plane};
 use crate::photos::colmap::{self, Lens};
@@ -65,8 +65,9 @@ pub fn search(
     for (i, file) in files.iter().enumerate() {
         progress.check()?;
         let photo = open(file)?;
-        let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &networks)
-            .and_then(|s| splat_prior::one_view(&photo.pixels, &s, None, &*splat_graph));
+        let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &networks).and_then(|s| {
+            splat_prior::one_view(&photo.pixels, &s, &Taken { focal: photo.focal(), elevation: None }, &*splat_graph)
+        });
         match made {
             Err(e) if e.kind == Kind::Usage => notes.push(format!("{} is not used: {}", photo.name, e.found)),
             Err(e) => return Err(e),

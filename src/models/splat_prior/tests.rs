@@ -147,7 +147,7 @@ struct Flat(Vec<Port>, f32);
 
 impl Graph for Flat {
     fn inputs(&self) -> Vec<Port> {
-        vec![Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 2])]
+        vec![Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 3])]
     }
     fn outputs(&self) -> Vec<Port> {
         self.0.clone()
@@ -181,17 +181,17 @@ impl Graph for Flat {
 fn expected_errors_are_read_where_the_network_has_them() {
     let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 2.0, Elevation { mean: 0.2, spread: 0.05 });
     let photo = RgbImage::new(128, 128);
-    let without = one_view(&photo, &subject, None, &Flat(ports(), 0.2)).unwrap();
+    let without = one_view(&photo, &subject, &Taken::default(), &Flat(ports(), 0.2)).unwrap();
     assert_eq!(without.expected_errors, None);
 
     let with = |shape: &[usize]| Flat([ports(), vec![Port::new(ERROR, shape)]].concat(), 0.2);
-    let view = one_view(&photo, &subject, None, &with(&[1, COUNT])).unwrap();
+    let view = one_view(&photo, &subject, &Taken::default(), &with(&[1, COUNT])).unwrap();
     let errors = view.expected_errors.unwrap();
     assert_eq!((errors.len(), view.gaussians.len()), (COUNT / 2, COUNT / 2));
     // Those that are drawn, in their order, within 0..1.
     assert_eq!([errors[0], errors[1], errors[COUNT / 2 - 1]], [0.75, 1.5 * (COUNT / 2 + 1) as f32 / COUNT as f32, 1.0]);
     assert_eq!(view.gaussians, without.gaussians);
-    let refused = one_view(&photo, &subject, None, &with(&[1, COUNT, 3])).unwrap_err();
+    let refused = one_view(&photo, &subject, &Taken::default(), &with(&[1, COUNT, 3])).unwrap_err();
     assert!(refused.kind == crate::Kind::Environment && refused.to_string().contains("- output error"), "{refused}");
 }
 
@@ -199,25 +199,67 @@ fn expected_errors_are_read_where_the_network_has_them() {
 fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
     let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
     // `Flat` adds what it was told to what it says: 0.6 ± 0.27, and 0.4 ± 0.1.
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 0.2)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, &Taken::default(), &Flat(ports(), 0.2)).unwrap();
     let weight = (0.1 / 0.27_f32).powi(2);
     assert!((view.elevation - 0.6).abs() < 1e-6, "{}", view.elevation);
     assert!((view.seen_from.mean - (0.4 + 0.6 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
     assert_eq!(view.seen_from.spread, 0.1);
     // What was measured is told in place of it, and counts by how well it is known: 0.3 ± 0.18 and 0.1 ± 0.05.
     let measured = Elevation { mean: 0.1, spread: 0.05 };
-    let view = one_view(&RgbImage::new(64, 64), &subject, Some(measured), &Flat(ports(), 0.2)).unwrap();
+    let view = one_view(
+        &RgbImage::new(64, 64),
+        &subject,
+        &Taken { elevation: Some(measured), ..Taken::default() },
+        &Flat(ports(), 0.2),
+    )
+    .unwrap();
     assert!((view.elevation - 0.3).abs() < 1e-6, "{}", view.elevation);
     let weight = (0.05 / 0.18_f32).powi(2);
     assert!((view.seen_from.mean - (0.1 + 0.3 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
     assert_eq!(view.seen_from.spread, 0.05);
     // From the air its own counts alone.
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 0.8)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, &Taken::default(), &Flat(ports(), 0.8)).unwrap();
     assert!((view.elevation - 1.2).abs() < 1e-6 && view.seen_from.mean == view.elevation, "{:?}", view.seen_from);
     assert!((view.seen_from.spread - 0.15 * OVERCONFIDENT).abs() < 1e-6, "{:?}", view.seen_from);
-    let view = one_view(&RgbImage::new(64, 64), &subject, None, &Flat(ports(), 3.0)).unwrap();
+    let view = one_view(&RgbImage::new(64, 64), &subject, &Taken::default(), &Flat(ports(), 3.0)).unwrap();
     assert_eq!(view.seen_from.mean, 1.55);
     assert_eq!(view.elevation, 1.55);
+}
+
+#[test]
+fn the_network_is_told_what_angle_the_crop_spans() {
+    let at = |x: f32| half_angle(Rect { x, y: 400.0, width: 200.0, height: 200.0 }, (1000, 1000), 1000.0);
+    assert!((at(400.0) - 0.1).abs() < 1e-6, "{}", at(400.0));
+    // 0.5 beside the axis: between what the rays to its sides and to its top and bottom span there.
+    let (left, right) = (0.4_f32.atan(), 0.6_f32.atan());
+    let along = ((right - left) / 2.0).tan();
+    let across = (100.0 / 1000_f32.hypot(500.0)).atan().tan();
+    assert!(along < at(900.0) && at(900.0) < across, "{along} {} {across}", at(900.0));
+    assert!((at(900.0) / (along * across).sqrt() - 1.0).abs() < 0.01);
+
+    /// Keeps what it was told.
+    struct Told(std::sync::Mutex<Vec<f32>>, Flat);
+    impl Graph for Told {
+        fn inputs(&self) -> Vec<Port> {
+            self.1.inputs()
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.1.outputs()
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            *self.0.lock().unwrap() = inputs[1].1.data.clone();
+            self.1.run(inputs)
+        }
+    }
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
+    let told = |focal| {
+        let graph = Told(std::sync::Mutex::default(), Flat(ports(), 0.2));
+        one_view(&RgbImage::new(64, 64), &subject, &Taken { focal, elevation: None }, &graph).unwrap();
+        graph.0.into_inner().unwrap()
+    };
+    assert_eq!(told(None), [0.4, 0.1, 0.0]);
+    let lens = told(Some(100.0));
+    assert!(lens[..2] == [0.4, 0.1] && (lens[2] - 32.0 / FILL / 100.0).abs() < 1e-6, "{lens:?}");
 }
 
 #[test]
@@ -225,7 +267,7 @@ fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
     use crate::models::{Rten, prior, scene};
     let (photo, subject) = &*scene::tests::CONTAINER;
     let graph = prior::SPLAT.loaded(&Rten).unwrap();
-    let view = one_view(photo, subject, None, &*graph).unwrap();
+    let view = one_view(photo, subject, &Taken::default(), &*graph).unwrap();
     assert!(
         (view.elevation.to_degrees() - 15.0).abs() < 6.0,
         "taken from 15°, guessed {}",
