@@ -190,17 +190,19 @@ fn the_expected_error_lies_beside_the_model_where_the_network_says_it() {
     }
 }
 
-/// `orb reconstruct`, which has no place to be told: how the camera looked it can be told all the same.
+/// `orb reconstruct`, which has no place to be told: how the camera looked it can be told all the same, and what lens it had the
+/// photo says.
 #[test]
 fn gaussians_alone_are_published_as_seen_from_where_the_camera_looked() {
     let dir = tempfile::tempdir().unwrap();
-    let made = |name: &str, more: &[&str]| {
+    let made_of = |photo: &Path, name: &str, more: &[&str]| {
         let out = dir.path().join(name);
         let mut run = orb(&["reconstruct", "--iterations", "0", "--quiet", "-o"]);
-        let done = run.arg(&out).arg(samples().join("smart_car.jpg")).args(more).output().unwrap();
+        let done = run.arg(&out).arg(photo).args(more).output().unwrap();
         assert!(done.status.success(), "{}", text(&done));
         out
     };
+    let made = |name: &str, more: &[&str]| made_of(&samples().join("smart_car.jpg"), name, more);
     let (seen, told) = (made("seen", &[]), made("told", &["--pitch", "-30"]));
     let files: Vec<String> = tree(&told).iter().map(|(p, _)| p.file_name().unwrap().to_str().unwrap().into()).collect();
     assert!(files.iter().all(|f| f.starts_with("orb-") || ["scene.ply", "preview.png"].contains(&&**f)), "{files:?}");
@@ -211,6 +213,9 @@ fn gaussians_alone_are_published_as_seen_from_where_the_camera_looked() {
     // What it is told counts.
     let scene = |out: &Path| std::fs::read(out.join("scene.ply")).unwrap();
     assert_ne!(scene(&seen), scene(&told));
+    let lens = (exif::Tag::FocalLengthIn35mmFilm, exif::Value::Short(vec![90]));
+    let long = made_of(&crate::place::photo(dir.path(), &[lens], None), "long", &[]);
+    assert_ne!(scene(&seen), scene(&long));
     let refused = orb(&["reconstruct", "--pitch", "-91"]).arg(samples().join("smart_car.jpg")).output().unwrap();
     assert!(refused.status.code() == Some(2) && text(&refused).contains("--pitch"), "{}", text(&refused));
 }

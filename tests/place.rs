@@ -27,7 +27,7 @@ fn ratio(v: f64) -> Rational {
 }
 
 /// The sample's pixels under an EXIF block and an XMP packet made here.
-fn photo(folder: &Path, tags: &[(Tag, Value)], xmp: Option<&str>) -> PathBuf {
+pub fn photo(folder: &Path, tags: &[(Tag, Value)], xmp: Option<&str>) -> PathBuf {
     let jpeg = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/smart_car.jpg")).unwrap();
     let upright = [(Tag::Orientation, Value::Short(vec![1]))];
     let fields: Vec<Field> = upright
