@@ -1,6 +1,5 @@
 """Checks of networks and training that need no GPU: python -m pytest test_prior.py (it needs torch, onnx and onnxruntime)."""
 
-import math
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -116,34 +115,6 @@ def test_what_is_held_does_not_learn():
     assert learns("net.mid.0.o.weight", "scene", []) and not learns("net.mid.0.o.weight", "scene", ["net.mid"])
     assert learns("net.up.0.0.a.weight", "scene", ["net.mid"])
     assert learns("er.a.weight", "error", []) and not learns("er.a.weight", "splat", [])
-
-
-def test_a_known_lens_settles_how_near_the_camera_stands():
-    torch = pytest.importorskip("torch")
-    from evaluate import FILL, crop_tangent
-    from nets import CROP_HALF, CROP_NEARNESS, CROP_TANGENT, SplatNet, placed
-
-    camera = torch.tensor([[0.2, 0.1, -0.1, 0.7], [0.2, 0.1, -0.1, 0.7]])
-    known = torch.tensor([[1.0], [0.0]])
-    told = placed(camera, torch.log(torch.tensor([[0.2], [1.0]]) / CROP_TANGENT) * known, known)
-    assert (told[:, :3] == camera[:, :3]).all() and told[1, 3] == camera[1, 3]
-    half, nearness = CROP_HALF * torch.exp(told[0, 0]), CROP_NEARNESS * torch.exp(told[0, 3])
-    assert abs(half * nearness - 0.2) < 1e-6
-
-    # Whatever the network guesses, its camera sees the crop at the angle that it is told.
-    torch.manual_seed(0)
-    net = SplatNet().eval()
-    with torch.no_grad():
-        net.camera[2].bias += torch.tensor([0.1, 0.0, 0.0, 0.4])
-        answers = net(torch.rand(2, 4, 256, 256), torch.tensor([[0.2, 0.1, 0.3], [0.2, 0.1, 0.0]]))["camera"]
-    tangents = CROP_TANGENT * torch.exp(answers[:, 0] + answers[:, 3])
-    assert abs(tangents[0] - 0.3) < 1e-5 and abs(tangents[1] - CROP_TANGENT * math.exp(0.5)) < 0.05
-
-    mask = torch.zeros(512, 512)
-    mask[200:312, 206:306] = 1
-    assert abs(crop_tangent(mask, 700) - 56 / FILL / 700) < 1e-9
-    aside = torch.roll(mask, 150, 1)
-    assert abs(crop_tangent(aside, 700) / crop_tangent(mask, 700) - (700 / math.hypot(700, 150)) ** 1.5) < 1e-6
 
 
 @pytest.mark.parametrize("which", ["scene", "detail", "splat"])

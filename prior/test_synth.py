@@ -173,23 +173,6 @@ def test_hints_tell_of_elevations_what_their_spread_says():
     assert 0.3 < (guessed < 0.7).float().mean().item() < 0.5
 
 
-def test_half_of_all_lenses_are_told_to_three_per_cent():
-    torch = pytest.importorskip("torch")
-    from nets import CROP_TANGENT
-    from synth.batches import lenses_told
-
-    torch.manual_seed(0)
-    # Half the crop's width 1.2 at a distance of 5: size and nearness say the same angle.
-    camera = torch.tensor([1.2, 0.3, -0.2, 1 / 5]).repeat(20000, 1)
-    camera[:, 0], camera[:, 3] = torch.log(camera[:, 0] / (3.9 * CROP_TANGENT)), torch.log(camera[:, 3] * 3.9)
-    told = lenses_told(camera)
-    assert told.shape == (20000, 1)
-    known = told[told > 0]
-    assert abs(len(known) / 20000 - 0.5) < 0.02
-    off = torch.log(known / (1.2 / 5))
-    assert abs(off.mean().item()) < 0.001 and abs(off.std().item() - 0.03) < 0.002
-
-
 def test_bounding_boxes_fit():
     """The lowest point that rays meet is the ground, and the box's diagonal is 2: nothing is smaller than it says."""
     torch = pytest.importorskip("torch")
