@@ -64,7 +64,7 @@ pub struct GeoArgs {
     #[command(subcommand)]
     pub tool: Option<tools::Tool>,
 
-    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
+    /// The photo: JPEG, HEIC, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
     #[arg(required_unless_present = "manifest")]
     pub photo: Option<PathBuf>,
 

@@ -23,7 +23,7 @@ use crate::{Result, export, splat};
 /// Turn a photo into Gaussians alone: neither meshed nor placed.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Reconstruct {
-    /// The photo: JPEG, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
+    /// The photo: JPEG, HEIC, PNG, WebP or TIFF, the subject in the middle; or a folder of photos of one subject.
     pub photo: PathBuf,
     #[command(flatten)]
     pub photos: PhotosArgs,

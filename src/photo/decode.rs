@@ -2,9 +2,11 @@
 
 use super::colour::to_srgb;
 use super::complete::{jpeg_reaches_its_end, webp_reaches_its_end};
+use super::heif::{Heif, is_heif};
 use super::metadata::{self, Orientation};
 use super::{Exif, Photo};
 use crate::{Error, Result};
+use image::error::UnsupportedErrorKind;
 use image::{DynamicImage, GrayImage, ImageDecoder, ImageFormat, ImageReader, RgbImage};
 use sha2::{Digest, Sha256};
 use std::io::Cursor;
@@ -34,9 +36,22 @@ impl Default for Limits {
     }
 }
 
-/// Decodes JPEG, PNG, WebP or TIFF, known by content, not by name.
+/// The kind of a file, known by its content.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Jpeg,
+    Png,
+    WebP,
+    Tiff,
+    Heif,
+}
+
+/// What is read, in words.
+const FORMATS: &str = "JPEG, HEIC, PNG, WebP or TIFF";
+
+/// Decodes JPEG, HEIC (HEIF coded by HEVC, 4:2:0 or grey), PNG, WebP or TIFF, known by content, not by name.
 ///
-/// EXIF orientation is applied. 16-bit samples are reduced to 8 by rounding, grey and palette become RGB, CMYK JPEG is
+/// EXIF orientation is applied, of HEIC the container's. 16-bit samples are reduced to 8 by rounding, grey and palette become RGB, CMYK JPEG is
 /// converted without its ICC profile. Colours are taken as sRGB, and turned to it where the ICC profile is of another RGB. Alpha is
 /// composited over white and kept as [`Photo::cutout`] where it cuts something out. Of several frames or pages the first is read.
 ///
@@ -57,8 +72,8 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Photo> {
 pub fn decode_as_stored(name: &str, bytes: &[u8], limits: &Limits) -> Result<(Photo, Orientation)> {
     let Opened { mut decoder, format, media_type, exif, orientation } = open(name, bytes, limits)?;
     let damaged = |error: image::ImageError| refuse(name, bytes.len(), limits, &error);
-    if (format == ImageFormat::Jpeg && !jpeg_reaches_its_end(bytes))
-        || (format == ImageFormat::WebP && !webp_reaches_its_end(bytes))
+    if (format == Format::Jpeg && !jpeg_reaches_its_end(bytes))
+        || (format == Format::WebP && !webp_reaches_its_end(bytes))
     {
         return Err(cut_short(name, bytes.len()));
     }
@@ -90,14 +105,14 @@ pub fn metadata(name: &str, bytes: &[u8], limits: &Limits) -> Result<(Exif, &'st
 /// A photo whose pixels are still to come.
 struct Opened<'a> {
     decoder: Box<dyn ImageDecoder + 'a>,
-    format: ImageFormat,
+    format: Format,
     media_type: &'static str,
     exif: Exif,
     orientation: Orientation,
 }
 
 fn open<'a>(name: &str, bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>> {
-    let problem = |found: String| Error::usage(name).expected("a JPEG, PNG, WebP or TIFF photo").found(found);
+    let problem = |found: String| Error::usage(name).expected(format!("a {FORMATS} photo")).found(found);
     if bytes.is_empty() {
         return Err(problem("an empty file".into()));
     }
@@ -108,24 +123,37 @@ fn open<'a>(name: &str, bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>> 
             .advice("Save the photo as a JPEG."));
     }
     let (format, media_type) = match image::guess_format(bytes) {
-        Ok(ImageFormat::Jpeg) => (ImageFormat::Jpeg, "image/jpeg"),
-        Ok(ImageFormat::Png) => (ImageFormat::Png, "image/png"),
-        Ok(ImageFormat::WebP) => (ImageFormat::WebP, "image/webp"),
-        Ok(ImageFormat::Tiff) => (ImageFormat::Tiff, "image/tiff"),
+        Ok(ImageFormat::Jpeg) => (Format::Jpeg, "image/jpeg"),
+        Ok(ImageFormat::Png) => (Format::Png, "image/png"),
+        Ok(ImageFormat::WebP) => (Format::WebP, "image/webp"),
+        Ok(ImageFormat::Tiff) => (Format::Tiff, "image/tiff"),
+        _ if is_heif(bytes) => (Format::Heif, "image/heic"),
         Ok(other) => return Err(problem(format!("{other:?}")).advice("Convert the file to JPEG or PNG.")),
         Err(_) => return Err(problem(describe(bytes)).advice("Convert the file to JPEG or PNG.")),
     };
     let damaged = |error: image::ImageError| refuse(name, bytes.len(), limits, &error);
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    reader.limits(decoder_limits(limits));
-    let mut decoder: Box<dyn ImageDecoder + 'a> = Box::new(reader.into_decoder().map_err(damaged)?);
+    let decoder = |format: ImageFormat| -> image::ImageResult<Box<dyn ImageDecoder + 'a>> {
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        reader.limits(decoder_limits(limits));
+        Ok(Box::new(reader.into_decoder()?))
+    };
+    let mut decoder = match format {
+        Format::Jpeg => decoder(ImageFormat::Jpeg),
+        Format::Png => decoder(ImageFormat::Png),
+        Format::WebP => decoder(ImageFormat::WebP),
+        Format::Tiff => decoder(ImageFormat::Tiff),
+        Format::Heif => Heif::open(bytes, limits.pixels).map(|heif| Box::new(heif) as Box<dyn ImageDecoder + 'a>),
+    }
+    .map_err(damaged)?;
     let (width, height) = decoder.dimensions();
     check_size(name, width, height, decoder.total_bytes(), limits)?;
     let block = match format {
-        ImageFormat::Tiff => Some(bytes.to_vec()), // A TIFF file is an EXIF block.
+        Format::Tiff => Some(bytes.to_vec()), // A TIFF file is an EXIF block.
         _ => decoder.exif_metadata().ok().flatten(),
     };
     let (exif, orientation): (Exif, Orientation) = block.map(metadata::read).unwrap_or_default();
+    // Its decoder turns the picture.
+    let orientation = if format == Format::Heif { Orientation::Upright } else { orientation };
     let exif = match decoder.xmp_metadata() {
         Ok(Some(packet)) => exif.with_xmp(&packet),
         _ => exif,
@@ -163,7 +191,7 @@ fn too_large(name: &str, limits: &Limits) -> Error {
     Error::usage(name)
         .expected(format!(
             "at most {} megapixels, {} pixels a side and {} MiB when decoded",
-            limits.pixels / 1_000_000,
+            limits.pixels as f64 / 1e6,
             limits.longest_side,
             limits.decoded_bytes >> 20
         ))
@@ -181,9 +209,12 @@ fn refuse(name: &str, length: usize, limits: &Limits, error: &image::ImageError)
     match error {
         image::ImageError::Limits(_) => too_large(name, limits).found(error.to_string()),
         image::ImageError::IoError(io) if io.kind() == std::io::ErrorKind::UnexpectedEof => cut_short(name, length),
-        image::ImageError::Unsupported(_) => Error::usage(name)
-            .expected("a common kind of JPEG, PNG, WebP or TIFF")
-            .found(error.to_string())
+        image::ImageError::Unsupported(what) => Error::usage(name)
+            .expected(format!("a common kind of {FORMATS}"))
+            .found(match what.kind() {
+                UnsupportedErrorKind::GenericFeature(feature) => feature.clone(),
+                _ => error.to_string(),
+            })
             .advice("Convert the file to an ordinary JPEG or PNG."),
         _ => Error::usage(name)
             .expected("a readable photo")
@@ -196,8 +227,7 @@ fn refuse(name: &str, length: usize, limits: &Limits, error: &image::ImageError)
 fn describe(bytes: &[u8]) -> String {
     let brand = bytes.get(4..12).unwrap_or_default();
     let kind = match brand {
-        b"ftypheic" | b"ftypheix" | b"ftypmif1" | b"ftypmsf1" => "an HEIF photo",
-        b"ftypavif" => "an AVIF picture",
+        b"ftypmif1" | b"ftypmsf1" | b"ftyphevc" | b"ftyphevx" => "an HEIF file without a picture coded by HEVC",
         _ if bytes.starts_with(b"%PDF") => "a PDF file",
         _ if bytes.starts_with(b"PK\x03\x04") => "a ZIP file",
         _ if std::str::from_utf8(&bytes[..bytes.len().min(512)]).is_ok() => "a text file",

@@ -4,6 +4,8 @@ mod colour;
 mod complete;
 mod decode;
 mod gps;
+mod heif;
+mod hevc_colour;
 mod metadata;
 mod plane;
 mod resample;

@@ -72,7 +72,9 @@ pub fn photos_in(folder: &Path) -> Result<Vec<PathBuf>> {
         for entry in std::fs::read_dir(folder).map_err(|e| Error::io(folder, &e))? {
             let path = entry.map_err(|e| Error::io(folder, &e))?.path();
             let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-            if path.is_file() && ["jpg", "jpeg", "png", "webp", "tif", "tiff"].contains(&ending.as_str()) {
+            if path.is_file()
+                && ["jpg", "jpeg", "heic", "heif", "png", "webp", "tif", "tiff"].contains(&ending.as_str())
+            {
                 all.push(path);
             }
         }
@@ -85,7 +87,7 @@ pub fn photos_in(folder: &Path) -> Result<Vec<PathBuf>> {
     }
     if all.len() < 2 {
         return Err(Error::usage(folder.display().to_string())
-            .expected("at least two photos (JPEG, PNG, WebP, TIFF) in the folder or its `images`")
+            .expected("at least two photos (JPEG, HEIC, PNG, WebP, TIFF) in the folder or its `images`")
             .found(format!("{}", all.len())));
     }
     Ok(all)

@@ -1,7 +1,6 @@
 //! Taking a submission in: its photos to the disk, its fields judged as `orb geo` would judge them.
 
 use std::collections::BTreeSet;
-use std::io::Cursor;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -11,7 +10,6 @@ use axum::extract::multipart::MultipartRejection;
 use axum::extract::{Multipart, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
-use image::{ImageFormat, ImageReader};
 use tokio::time::timeout;
 use utoipa::openapi::RefOr;
 use utoipa::openapi::schema::{ArrayBuilder, KnownFormat, ObjectBuilder, Schema, SchemaFormat, SchemaType, Type};
@@ -24,6 +22,7 @@ use crate::audit::Marking;
 use crate::audit::disk::Disk;
 use crate::audit::time::format_utc;
 use crate::cli::{self, geo};
+use crate::photo::{self, Limits};
 use crate::serve::Server;
 use crate::serve::database::New;
 use crate::serve::refusal::Refusal;
@@ -54,7 +53,7 @@ impl PartialSchema for Form {
             }
             // A form leaves out what it does not say: there is no null in it.
             object.properties.values_mut().for_each(without_null);
-            let photos = files("JPEG, PNG, WebP or TIFF; several of one subject, each by its own name.");
+            let photos = files("JPEG, HEIC, PNG, WebP or TIFF; several of one subject, each by its own name.");
             object.properties.insert("photo".into(), photos.build().into());
             let poses = files(
                 "Of several photos: cameras, images and points3D of a COLMAP model (.bin or .txt), or transforms.json.",
@@ -214,23 +213,16 @@ fn own_name(called: &str, endings: &[&str]) -> Result<String> {
 }
 
 /// By what stands in the file, whatever it is called: the ending that it gets, and those that it may have.
-fn endings(photo: &[u8], pixels: u64) -> Result<&'static [&'static str]> {
-    let no_photo = |found: String| Error::usage("photo").expected("JPEG, PNG, WebP or TIFF").found(found);
-    let endings: &[&str] = match image::guess_format(photo) {
-        Ok(ImageFormat::Jpeg) => &["jpg", "jpeg"],
-        Ok(ImageFormat::Png) => &["png"],
-        Ok(ImageFormat::WebP) => &["webp"],
-        Ok(ImageFormat::Tiff) => &["tif", "tiff"],
-        _ => return Err(no_photo("something else".into())),
-    };
-    let reader = ImageReader::new(Cursor::new(photo)).with_guessed_format().map_err(|e| no_photo(e.to_string()))?;
-    let (width, height) = reader.into_dimensions().map_err(|e| no_photo(e.to_string()))?;
-    if u64::from(width) * u64::from(height) > pixels {
-        return Err(Error::usage("photo")
-            .expected(format!("at most {pixels} pixels"))
-            .found(format!("{width} × {height}")));
-    }
-    Ok(endings)
+fn endings(bytes: &[u8], pixels: u64) -> Result<&'static [&'static str]> {
+    let limits = Limits { pixels, ..Limits::default() };
+    let (_, media_type) = photo::metadata("photo", bytes, &limits)?;
+    Ok(match media_type {
+        "image/jpeg" => &["jpg", "jpeg"],
+        "image/heic" => &["heic", "heif"],
+        "image/png" => &["png"],
+        "image/webp" => &["webp"],
+        _ => &["tif", "tiff"],
+    })
 }
 
 /// What the run would refuse at its beginning is refused now. `folder` is the job's, which no word of an error names.
@@ -280,12 +272,15 @@ mod tests {
 
     #[test]
     fn a_photo_is_what_stands_in_it() {
-        let mut png = Cursor::new(Vec::new());
-        image::RgbImage::new(30, 20).write_to(&mut png, ImageFormat::Png).unwrap();
-        assert_eq!(endings(png.get_ref(), 600).unwrap(), ["png"]);
-        assert!(endings(png.get_ref(), 599).unwrap_err().to_string().contains("30 × 20"));
+        let mut png = std::io::Cursor::new(Vec::new());
+        image::RgbImage::new(96, 64).write_to(&mut png, image::ImageFormat::Png).unwrap();
+        assert_eq!(endings(png.get_ref(), 6144).unwrap(), ["png"]);
+        assert!(endings(png.get_ref(), 6143).unwrap_err().to_string().contains("96 × 64"));
+        let phone = include_bytes!("../../../tests/data/phone.heic");
+        assert_eq!(endings(phone, 48_000).unwrap(), ["heic", "heif"]);
+        assert!(endings(phone, 47_999).unwrap_err().to_string().contains("200 × 240"));
         for wrong in [&b"#!/bin/sh\n"[..], b"GIF89a", b"", b"\x89PNG\r\n\x1a\n"] {
-            assert!(endings(wrong, 600).is_err());
+            assert!(endings(wrong, 6144).is_err());
         }
     }
 

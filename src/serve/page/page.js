@@ -115,11 +115,10 @@ function photo(files = []) {
   const several = files.length > 1;
   if (shown.src) URL.revokeObjectURL(shown.src);
   shown.removeAttribute("src");
-  const can = files.length && files[0].type !== "image/tiff";
-  if (can) shown.src = URL.createObjectURL(files[0]);
-  stage.hidden = !can;
+  if (files.length) shown.src = URL.createObjectURL(files[0]);
+  stage.hidden = !files.length;
   stage.tabIndex = several ? -1 : 0;
-  $("pointing").hidden = !can || several;
+  $("pointing").hidden = !files.length || several;
   $("several").hidden = !several;
   $("pitched").hidden = several;
   $("photos").textContent = several ? `${files.length} photos: ${[...files].slice(0, 6).map((f) => f.name).join(", ")}${files.length > 6 ? ", …" : ""}` : "";
@@ -127,6 +126,11 @@ function photo(files = []) {
   else $("poses").value = $("gcp").value = "";
   put(null);
 }
+
+// TIFF and HEIC, which few browsers show.
+shown.onerror = () => {
+  stage.hidden = $("pointing").hidden = true;
+};
 
 /** A point in pixels of the photo, or none. */
 function put(at) {
