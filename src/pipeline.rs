@@ -3,8 +3,8 @@
 //! Values in, values out; nothing here touches a disk, but for the checkpoint that the user asks for.
 
 pub mod confidence;
+pub mod held;
 mod optimise;
-mod pitch;
 pub mod scene;
 pub mod settled;
 pub mod several;
@@ -17,7 +17,7 @@ use optimise::{Shot, optimise, photo};
 
 use crate::mesh::{self, Level, Model};
 use crate::models::scene::Subject;
-use crate::models::splat_prior::{self, OneView};
+use crate::models::splat_prior::{self, OneView, Window};
 use crate::models::{self, Engine, prior};
 use crate::photo::Photo;
 use crate::photos::crops::Crop;
@@ -279,9 +279,9 @@ pub fn fit(
     };
     let (subject, splat) = rayon::join(|| looked.subject(), next);
     let mut subject = subject?;
-    let crop = splat_prior::crop_around(&subject);
-    let measured = pitch::elevation(settings.pitch, &photo.exif, photo.pixels.dimensions(), crop);
-    let taken = splat_prior::Taken { elevation: measured, focal: photo.focal() };
+    let held = held::held(settings.pitch, photo, Window::around(&subject).middle());
+    let aim = Some(held::aim(photo, held.as_ref()));
+    let taken = splat_prior::Taken { elevation: held.map(|h| h.elevation), lens: photo.pinhole(), aim };
     clock.lap("mask and depth");
     progress.check()?;
     progress.begin("depth", 0);

@@ -8,6 +8,7 @@ use crate::audit::marking::Marking;
 use crate::audit::publication::Published;
 use crate::geo::scale::with_deviation;
 use crate::models::prior;
+use crate::pipeline::held::STRAIGHTENED_BY_35MM;
 use crate::pipeline::several::Role;
 use crate::pipeline::{self, Reconstruction};
 use crate::splat::train::{Quality, TargetReport};
@@ -59,6 +60,14 @@ pub fn text(s: &Summary) -> String {
     line("size", format!("{across} across, {deep} deep, {high} high ({})", scale.words()));
     if let Some(iou) = s.done.subject.expected_iou {
         line("mask", format!("IoU of {iou:.2} with the subject to be expected"));
+    }
+    if let Some(turned) = &s.done.prior.crop.turned {
+        let angle = turned.angle().to_degrees();
+        let lens = match turned.lens_assumed {
+            true => format!(", its lens assumed to be one of {STRAIGHTENED_BY_35MM} mm"),
+            false => String::new(),
+        };
+        line("turned", format!("by {angle:.1}°, to a level camera that looks straight at the subject{lens}"));
     }
     let vertices: Vec<String> = s.done.model.levels.iter().map(|l| l.mesh.positions.len().to_string()).collect();
     line("levels", format!("{} vertices", vertices.join(", ")));

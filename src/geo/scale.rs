@@ -5,7 +5,7 @@
 
 use super::Extents;
 use super::positive::Positive;
-use crate::photo::focal_in_pixels;
+use crate::photo::{Pinhole, focal_in_pixels};
 use crate::{Error, Result};
 
 /// A dimension the operator knows, metres.
@@ -210,6 +210,11 @@ impl View {
             None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, FocalBy::Assumption),
         };
         (focal_in_pixels(focal_35mm, self.photo_width, self.photo_height), sigma, by)
+    }
+
+    /// By that focal length.
+    pub fn pinhole(&self) -> Pinhole {
+        Pinhole::centred(self.focal().0, (self.photo_width, self.photo_height))
     }
 
     /// Units from the camera to the subject's middle: D = d · 2 tan(fov / 2) · f / s, where the subject fills the crop

@@ -1,6 +1,9 @@
 //! From the camera's place to the subject's: direction, elevation, distance.
 
+use glam::DVec2;
+
 use super::{Enu, Extents, Geodetic, Scale, Uncertainty, View};
+use crate::photo::down;
 
 /// How the camera stood to the subject, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,27 +32,25 @@ pub fn stand(view: &View, extents: &Extents, scale: &Scale) -> Stand {
     }
 }
 
-/// The bearing of the subject frame's +Y: that of the optical axis and the angle by which the crop's middle lies beside
-/// it, degrees. `column` is the crop's middle in pixels from the photo's left.
-pub fn bearing_of_subject(axis: f64, column: f64, view: &View) -> f64 {
-    let beside = (column - f64::from(view.photo_width) / 2.0).atan2(view.focal().0);
-    (axis + beside.to_degrees()).rem_euclid(360.0)
+/// The bearing of the subject frame's +Y: that of the optical axis and the angle by which the crop's middle lies beside it, seen from
+/// above, degrees. `middle`: what of the photo that is, pixels.
+pub fn bearing_of_subject(axis: f64, middle: DVec2, view: &View) -> f64 {
+    let ray = view.pinhole().ray(middle);
+    let down = down::by_elevation(f64::from(view.elevation), ray);
+    (axis + down::bearing(down, ray).to_degrees()).rem_euclid(360.0)
 }
 
 /// Of a gimbal's pitch, degrees.
 pub const PITCH_SIGMA: f64 = 1.5;
+/// Of what a phone's accelerometer says in a hand, degrees.
+pub const PHONE_PITCH_SIGMA: f64 = 2.0;
 /// Of a pitch that somebody says, degrees.
 pub const GIVEN_PITCH_SIGMA: f64 = 3.0;
 
-/// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and
-/// the row of the crop's middle.
-pub fn elevation_by_pitch(pitch: f64, row: f64, view: &View) -> f64 {
-    -pitch.to_radians() + below_axis(row, view.photo_height, view.focal().0)
-}
-
-/// By how much what a row of the photo shows lies below the optical axis, radians; `focal` in pixels.
-pub fn below_axis(row: f64, photo_height: u32, focal: f64) -> f64 {
-    (row - f64::from(photo_height) / 2.0).atan2(focal)
+/// The camera's elevation over the subject, radians, from the pitch of the optical axis (degrees above the horizon) and what of the
+/// photo is in the crop's middle, pixels.
+pub fn elevation_by_pitch(pitch: f64, middle: DVec2, view: &View) -> f64 {
+    down::elevation(down::by_pitch(pitch.to_radians()), view.pinhole().ray(middle))
 }
 
 /// The ground point under a subject that the camera sees along `bearing` (degrees from true north).
@@ -117,11 +118,19 @@ mod tests {
 
     #[test]
     fn a_subject_beside_the_axis() {
-        let v = view();
+        let v = View { elevation: 0.0, ..view() };
         let f = v.focal().0;
-        assert!((bearing_of_subject(350.0, 2000.0 + f, &v) - 35.0).abs() < 1e-9);
-        assert!((bearing_of_subject(10.0, 2000.0 - f, &v) - 325.0).abs() < 1e-9);
-        assert!((elevation_by_pitch(-30.0, 1500.0, &v).to_degrees() - 30.0).abs() < 1e-9);
-        assert!((elevation_by_pitch(-30.0, 1500.0 + f, &v).to_degrees() - 75.0).abs() < 1e-9);
+        let at = |across: f64, below: f64| DVec2::new(2000.0 + across, 1500.0 + below);
+        assert!((bearing_of_subject(350.0, at(f, 0.0), &v) - 35.0).abs() < 1e-9);
+        assert!((bearing_of_subject(10.0, at(-f, 0.0), &v) - 325.0).abs() < 1e-9);
+        assert!((elevation_by_pitch(-30.0, at(0.0, 0.0), &v).to_degrees() - 30.0).abs() < 1e-9);
+        assert!((elevation_by_pitch(-30.0, at(0.0, f), &v).to_degrees() - 75.0).abs() < 1e-9);
+        // A camera that looks down by 60° and sees the subject a quarter of its focal length aside: twice as far on the ground, and
+        // less far below.
+        let aside = at(0.25 * f, 0.0);
+        let elevation = elevation_by_pitch(-60.0, aside, &v);
+        assert!((elevation.sin() - 60f64.to_radians().sin() / 1.0625f64.sqrt()).abs() < 1e-9);
+        let v = View { elevation: elevation as f32, ..v };
+        assert!((bearing_of_subject(0.0, aside, &v) - 0.5f64.atan().to_degrees()).abs() < 1e-4);
     }
 }

@@ -7,11 +7,14 @@
 use super::align::fit_intrinsics;
 use super::scene::{Elevation, Subject};
 use super::{Graph, Port, Tensor, check_contract, take};
-use crate::photo::{Edge, Plane, Rect, sample_colour, sample_plane};
+use crate::photo::{Edge, Pinhole, Plane};
 use crate::splat::{Camera, Gaussians, SH_C0};
 use crate::{Error, Result};
 use glam::Vec3;
 use image::RgbImage;
+
+mod window;
+pub use window::{Aim, Turned, Window};
 
 /// Of the network's square input.
 const SIZE: usize = 256;
@@ -58,8 +61,7 @@ pub struct OneView {
     pub camera: Camera,
     /// How well the Gaussians' silhouette meets the mask under `camera`: intersection over union.
     pub silhouette_iou: f32,
-    /// The square crop, in photo pixels.
-    pub crop: Rect,
+    pub crop: Window,
     /// sRGB 0..1 of the crop, row-major, as the photo shows it (not composited); the size of `mask`.
     pub colour: Vec<[f32; 3]>,
     /// Subject, 0..1; square, between 128² and 512².
@@ -71,11 +73,13 @@ pub struct OneView {
 pub struct Taken {
     /// Of the camera above the horizon, where it was measured: counts in place of what the subject's surroundings say.
     pub elevation: Option<Elevation>,
-    /// Focal length, pixels of the photo.
-    pub focal: Option<f64>,
+    pub lens: Option<Pinhole>,
+    /// By which the photo is drawn as a camera sees it that looks straight at the subject. `None`: it is taken as it is.
+    pub aim: Option<Aim>,
 }
 
-/// Runs the network on the crop around the subject. What is known of how the photo was `taken` is told to it.
+/// Runs the network on the subject, and where it says that its camera did not look straight at it, on what one sees that does. What is
+/// known of how the photo was `taken` is told to it.
 ///
 /// # Errors
 /// An environment error when the graph is not the network expected; a usage error when it sees nothing solid.
@@ -98,14 +102,29 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
         &[Port::new("rgba", &[1, 4, SIZE, SIZE]), Port::new("hint", &[1, 3])],
         &wanted,
     )?;
-    let crop = crop_around(subject);
-    let rgba = network_input(photo, subject, crop)?;
     // The crop has no horizon and no ground: what saw them says how the camera looks. Nor does it say how near the camera stood: the
     // same crop is what a long lens saw of a long subject.
     let told = taken.elevation.unwrap_or(subject.elevation);
-    let tangent = taken.focal.map_or(0.0, |focal| half_angle(crop, photo.dimensions(), focal));
-    let hint = Tensor::new(&[1, 3], vec![told.mean, told.spread, tangent])?;
-    let mut outputs = graph.run(&[("rgba", &rgba), ("hint", &hint)])?;
+    let answer = |crop: &Window| {
+        let tangent = taken.lens.map_or(0.0, |lens| crop.half_angle(&lens));
+        let hint = Tensor::new(&[1, 3], vec![told.mean, told.spread, tangent])?;
+        let mut outputs = graph.run(&[("rgba", &network_input(photo, subject, crop)?), ("hint", &hint)])?;
+        let stands = take(&mut outputs, "camera", 4)?;
+        let own = take(&mut outputs, "elevation", 2)?;
+        Ok((outputs, stands, Elevation { mean: own[0], spread: OVERCONFIDENT * own[1] }))
+    };
+    let joined = |own: Elevation| match taken.elevation {
+        Some(measured) => confirmed(measured, own),
+        // It was taught to trust hints less than they deserve at the height of eyes.
+        None => agreed(own, subject.elevation),
+    };
+    let mut crop = taken.aim.map_or_else(|| Window::around(subject), |aim| Window::straight(subject, &aim, told.mean));
+    let (mut outputs, mut stands, mut own) = answer(&crop)?;
+    let corrected = |aim: Aim| crop.corrected(subject, &aim, joined(own).mean, subjects_middle(&stands));
+    if let Some(better) = taken.aim.and_then(corrected) {
+        crop = better;
+        (outputs, stands, own) = answer(&crop)?;
+    }
     let canonical = Canonical {
         position: take(&mut outputs, "position", 3 * COUNT)?,
         scale: take(&mut outputs, "scale", 3 * COUNT)?,
@@ -117,17 +136,10 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
         true => Some(canonical.of_drawn(&take(&mut outputs, ERROR, COUNT)?)),
         false => None,
     };
-    let own = take(&mut outputs, "elevation", 2)?;
-    let own = Elevation { mean: own[0], spread: OVERCONFIDENT * own[1] };
-    let stands = take(&mut outputs, "camera", 4)?;
     // Trained on −69° to 89°; beyond that the guess is no better than the bound.
     let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
-    // It was taught to trust hints less than they deserve at the height of eyes.
-    let seen_from = match taken.elevation {
-        Some(measured) => confirmed(measured, own),
-        None => agreed(own, subject.elevation),
-    };
+    let seen_from = joined(own);
     let seen_from = Elevation { mean: bound(seen_from.mean), ..seen_from };
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
@@ -136,10 +148,10 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
             .found("nothing that the network could lift to three dimensions")
             .advice("Use a sharper photo with the whole subject in view."));
     }
-    let size = (crop.width.round() as usize).clamp(GRID, LARGEST_CROP);
-    let mask = crop_mask(subject, crop, size);
+    let size = (crop.rect.width.round() as usize).clamp(GRID, LARGEST_CROP);
+    let mask = crop.plane(&subject.mask, subject.scale, size, Edge::Zero);
     let (camera, silhouette_iou) = fit_intrinsics(&gaussians, &crop_camera(elevation, &stands, size as u32), &mask);
-    let colour = sample_colour(photo, crop, size, size, Edge::Clamp);
+    let colour = crop.colour(photo, size);
     Ok(OneView { gaussians, expected_errors: errors, elevation, seen_from, camera, silhouette_iou, crop, colour, mask })
 }
 
@@ -182,35 +194,16 @@ fn crop_camera(elevation: f32, stands: &[f32], size: u32) -> Camera {
     Camera { fx: focal, fy: focal, cx: middle(stands[1]), cy: middle(stands[2]), ..camera }
 }
 
-/// The square, in photo pixels, that the subject's box fills to [`FILL`]; it may reach outside the photo.
-pub fn crop_around(subject: &Subject) -> Rect {
-    let [x0, y0, x1, y1] = subject.bounds.map(|v| v as f32);
-    let (sx, sy) = subject.scale;
-    let side = ((x1 - x0) * sx).max((y1 - y0) * sy) / FILL;
-    Rect { x: (x0 + x1) / 2.0 * sx - side / 2.0, y: (y0 + y1) / 2.0 * sy - side / 2.0, width: side, height: side }
-}
-
-/// Tangent of half the angle that the crop spans, in a photo of `width` by `height` pixels and a focal length of `focal` pixels.
-///
-/// Beside the optical axis a pixel spans less: across the way there the cosine, along it the cosine squared of what it does on the axis; the
-/// (geometric) mean of both counts.
-fn half_angle(crop: Rect, (width, height): (u32, u32), focal: f64) -> f32 {
-    let aside = (f64::from(crop.x + crop.width / 2.0) - f64::from(width) / 2.0)
-        .hypot(f64::from(crop.y + crop.height / 2.0) - f64::from(height) / 2.0);
-    let cosine = focal / focal.hypot(aside);
-    (f64::from(crop.width) / 2.0 / focal * cosine.powf(1.5)) as f32
-}
-
-fn crop_mask(subject: &Subject, crop: Rect, size: usize) -> Plane {
-    let (sx, sy) = subject.scale;
-    let rect = Rect { x: crop.x / sx, y: crop.y / sy, width: crop.width / sx, height: crop.height / sy };
-    sample_plane(&subject.mask, rect, size, size, Edge::Zero)
+/// Where in the crop the network's own axis, and so the subject's middle, is: right and down, in halves of the crop's side.
+fn subjects_middle(stands: &[f32]) -> [f32; 2] {
+    let half = DISTANCE * (FOV / 2.0).tan() * stands[0].exp();
+    [-stands[1] / half, -stands[2] / half]
 }
 
 /// Planes red, green, blue on grey 0.5, and the mask.
-fn network_input(photo: &RgbImage, subject: &Subject, crop: Rect) -> Result<Tensor> {
-    let mask = crop_mask(subject, crop, SIZE);
-    let colour = sample_colour(photo, crop, SIZE, SIZE, Edge::Clamp);
+fn network_input(photo: &RgbImage, subject: &Subject, crop: &Window) -> Result<Tensor> {
+    let mask = crop.plane(&subject.mask, subject.scale, SIZE, Edge::Zero);
+    let colour = crop.colour(photo, SIZE);
     let mut data = vec![0.0; 4 * SIZE * SIZE];
     for (i, (pixel, &alpha)) in colour.iter().zip(&mask.data).enumerate() {
         for (c, value) in pixel.iter().enumerate() {

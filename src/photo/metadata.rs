@@ -1,8 +1,10 @@
 //! EXIF and XMP: what a reconstruction can use of what the camera wrote beside the picture.
 
 use exif::{In, Reader, Tag, Value};
+use glam::DVec3;
 
 use super::gps::{self, Position};
+use super::maker_note;
 use super::xmp::{self, Gimbal};
 
 /// What the camera wrote beside the picture; absent tags stay `None`.
@@ -26,6 +28,8 @@ pub struct Exif {
     pub date: Option<(i64, i64, i64)>,
     /// From XMP.
     pub gimbal: Option<Gimbal>,
+    /// Where down is for the camera, in its axes (right, down, forward) as the picture is seen upright, where it measured that.
+    pub down: Option<DVec3>,
 }
 
 impl Exif {
@@ -48,12 +52,13 @@ impl Exif {
         self
     }
 
-    /// Of a picture of `width` by `height`: where it has another shape than what the camera took, somebody cut it, and no focal
-    /// length is known of what is left.
+    /// Of a picture of `width` by `height`: where it has another shape than what the camera took, somebody cut it, and of what is left
+    /// nobody knows the focal length, nor where the optical axis was.
     pub(super) fn of_picture(mut self, width: u32, height: u32) -> Self {
         let shape = |(w, h): (u32, u32)| f64::from(w.max(h)) / f64::from(w.min(h).max(1));
         if self.taken.is_some_and(|taken| (shape(taken) / shape((width, height)) - 1.0).abs() > 0.02) {
             self.focal_35mm = None;
+            self.down = None;
         }
         self
     }
@@ -143,6 +148,7 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
         subject_distance: real(Tag::SubjectDistance).filter(|d| (0.05..10_000.0).contains(d)),
         date: gps::date(&tags),
         gimbal: None,
+        down: maker_note::down(&tags, orientation),
     };
     (exif, orientation)
 }

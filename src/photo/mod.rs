@@ -3,10 +3,13 @@
 mod colour;
 mod complete;
 mod decode;
+pub mod down;
 mod gps;
 mod heif;
 mod hevc_colour;
+mod maker_note;
 mod metadata;
+mod pinhole;
 mod plane;
 mod resample;
 #[cfg(test)]
@@ -18,8 +21,9 @@ mod xmp;
 pub use decode::{Limits, decode, decode_as_stored, metadata};
 pub use gps::{AltitudeAbove, Position};
 pub use metadata::{DIAGONAL_35MM, Exif, Orientation, focal_in_pixels};
+pub use pinhole::Pinhole;
 pub use plane::{Plane, silhouette_iou};
-pub use resample::{Edge, Rect, sample_colour, sample_plane};
+pub use resample::{Edge, Rect, sample_colour, sample_plane, sampled_at};
 pub use xmp::Gimbal;
 
 /// A decoded photo: sRGB, upright.
@@ -39,9 +43,14 @@ pub struct Photo {
 }
 
 impl Photo {
-    /// Focal length in pixels, where the file says it.
-    pub fn focal(&self) -> Option<f64> {
-        let (width, height) = self.pixels.dimensions();
-        self.exif.focal_35mm.map(|mm| focal_in_pixels(mm, width, height))
+    /// Its camera, where the file says its focal length.
+    pub fn pinhole(&self) -> Option<Pinhole> {
+        self.exif.focal_35mm.map(|mm| self.pinhole_of(mm))
+    }
+
+    /// The same with a focal length that is said for a frame of 36 × 24 mm.
+    pub fn pinhole_of(&self, focal_35mm: f64) -> Pinhole {
+        let size = self.pixels.dimensions();
+        Pinhole::centred(focal_in_pixels(focal_35mm, size.0, size.1), size)
     }
 }

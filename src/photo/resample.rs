@@ -127,6 +127,39 @@ pub fn sample_plane(plane: &Plane, rect: Rect, width: usize, height: usize, edge
     Plane { width, height, data }
 }
 
+/// `size` × `size` samples of a picture of `width` × `height`, each where `at` says that its middle lies, in pixels of the picture with
+/// corners at integers; outside of it as its border.
+///
+/// Catmull-Rom as [`sample_plane`], not stretched: the picture is to be about as fine as the samples.
+pub fn sampled_at<const C: usize>(
+    picture: &[[f32; C]],
+    (width, height): (usize, usize),
+    size: usize,
+    at: impl Fn(usize, usize) -> [f32; 2] + Sync,
+) -> Vec<[f32; C]> {
+    let near = |i: f32, len: usize| {
+        let first = (i - 0.5).floor();
+        [-1.0, 0.0, 1.0, 2.0f32].map(|k| {
+            let weight = catmull_rom(f64::from(first + k + 0.5 - i)) as f32;
+            ((first + k).clamp(0.0, (len - 1) as f32) as usize, weight)
+        })
+    };
+    let mut out = vec![[0.0; C]; size * size];
+    out.par_chunks_mut(size).enumerate().for_each(|(y, line)| {
+        for (x, value) in line.iter_mut().enumerate() {
+            let [across, down] = at(x, y);
+            let columns = near(across, width);
+            for (row, by) in near(down, height) {
+                for (column, weight) in columns {
+                    let pixel = picture[row * width + column];
+                    (0..C).for_each(|c| value[c] += by * weight * pixel[c]);
+                }
+            }
+        }
+    });
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -86,6 +86,7 @@ mod tests {
 
     use super::*;
     use crate::models::splat_prior::OneView;
+    use crate::models::splat_prior::Window;
     use crate::photo::{Plane, Rect};
     use crate::pipeline::optimise::{Shot, optimise};
     use crate::pipeline::{GREY, Settings};
@@ -175,7 +176,7 @@ mod tests {
             camera,
             seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
-            crop: Rect { x: 0.0, y: 0.0, width: 64.0, height: 64.0 },
+            crop: Window { rect: Rect { x: 0.0, y: 0.0, width: 64.0, height: 64.0 }, turned: None },
             colour: seen.color,
             mask: Plane { width: 64, height: 64, data: seen.alpha },
         }

@@ -1,14 +1,14 @@
 //! The stages with several photos in front: poses → masks → frame → Gaussians → optimisation → the same mesh.
 
-use glam::{DVec3, Vec3};
+use glam::{DQuat, DVec2, DVec3, Vec3};
 
 use super::optimise::{trained, uncomposited};
 use super::{Clock, Fitted, GREY, Settings, VIEW, VIEW_SIZE, render_all};
 use crate::bench::{Picture, perception};
 use crate::geo::similarity::Similarity;
-use crate::models::splat_prior::{self, OneView, Taken};
+use crate::models::splat_prior::{self, Aim, OneView, Taken};
 use crate::models::{Engine, prior};
-use crate::photo::{Photo, silhouette_iou};
+use crate::photo::{Photo, Pinhole, silhouette_iou};
 use crate::photos::colmap::is_test;
 use crate::photos::crops::{Crop, camera};
 use crate::photos::frame::{self, Ground, UpBy};
@@ -133,8 +133,16 @@ pub fn fit(
 
     progress.begin("3D from one view", 0);
     let reference = &poses.photos[best.index];
-    let reference_focal = (!options.searched).then(|| posed_focal(reference, &best.photo));
-    let taken = Taken { focal: reference_focal.or_else(|| best.photo.focal()), elevation: None };
+    let lens = posed_lens(reference, &best.photo);
+    let reference_focal = (!options.searched).then_some(lens.focal.x);
+    let taken = match options.searched {
+        // Its lens stands for none.
+        true => Taken { lens: best.photo.pinhole(), ..Taken::default() },
+        false => {
+            let down = reference.rotation * (to_unit.rotation.inverse() * -DVec3::Z);
+            Taken { lens: Some(lens), elevation: None, aim: Some(Aim { lens, lens_assumed: false, down: Some(down) }) }
+        }
+    };
     let mut one_view =
         splat_prior::one_view(&best.photo.pixels, &best.subject, &taken, &*prior::SPLAT.loaded(engine)?)?;
     let posed = square_camera(reference, &best.photo, &one_view, &to_unit);
@@ -264,22 +272,24 @@ fn tolerated(photos: usize) -> f32 {
     if photos < 6 { 0.0 } else { 0.13 }
 }
 
-fn posed_focal(posed: &Posed, photo: &Photo) -> f64 {
-    posed.camera.pinhole()[0] * f64::from(photo.pixels.width()) / f64::from(posed.camera.width)
+/// The lens of a posed photo, in pixels of the photo that is there.
+fn posed_lens(posed: &Posed, photo: &Photo) -> Pinhole {
+    let [fx, fy, cx, cy] = posed.camera.pinhole();
+    let (width, height) = photo.pixels.dimensions();
+    let (gx, gy) =
+        (f64::from(width) / f64::from(posed.camera.width), f64::from(height) / f64::from(posed.camera.height));
+    Pinhole { focal: DVec2::new(fx * gx, fy * gy), middle: DVec2::new(cx * gx, cy * gy) }
 }
 
 /// The reference's camera of the network's square crop, in the unit frame.
 fn square_camera(posed: &Posed, photo: &Photo, view: &OneView, to_unit: &Similarity) -> Camera {
-    let [fx, fy, cx, cy] = posed.camera.pinhole();
-    let (gx, gy) = (
-        f64::from(photo.pixels.width()) / f64::from(posed.camera.width),
-        f64::from(photo.pixels.height()) / f64::from(posed.camera.height),
-    );
+    let Pinhole { focal, middle } = posed_lens(posed, photo);
     let size = view.mask.width;
-    let k = size as f64 / f64::from(view.crop.width);
-    let inside =
-        [fx * gx * k, fy * gy * k, (cx * gx - f64::from(view.crop.x)) * k, (cy * gy - f64::from(view.crop.y)) * k];
-    camera(inside, (size, size), posed.rotation, posed.translation, to_unit)
+    let rect = view.crop.rect;
+    let k = size as f64 / f64::from(rect.width);
+    let inside = [focal.x * k, focal.y * k, (middle.x - f64::from(rect.x)) * k, (middle.y - f64::from(rect.y)) * k];
+    let turn = view.crop.turned.map_or(DQuat::IDENTITY, |t| DQuat::from_mat3(&t.to_photo.transpose()));
+    camera(inside, (size, size), turn * posed.rotation, turn * posed.translation, to_unit)
 }
 
 /// What the optimisation starts from, and how many of it come from network, masks and points.

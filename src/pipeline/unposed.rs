@@ -66,7 +66,9 @@ pub fn search(
         progress.check()?;
         let photo = open(file)?;
         let made = scene::subject(&photo.pixels, photo.cutout.as_ref(), None, &networks).and_then(|s| {
-            splat_prior::one_view(&photo.pixels, &s, &Taken { focal: photo.focal(), elevation: None }, &*splat_graph)
+            // As it is: the pose that is searched is that of the photo.
+            let taken = Taken { lens: photo.pinhole(), elevation: None, aim: None };
+            splat_prior::one_view(&photo.pixels, &s, &taken, &*splat_graph)
         });
         match made {
             Err(e) if e.kind == Kind::Usage => notes.push(format!("{} is not used: {}", photo.name, e.found)),
@@ -120,13 +122,13 @@ fn too_few(found: usize, notes: &[String]) -> Error {
 
 /// The camera of the crop as one of the whole photo.
 fn posed(seen: &Seen, crop: &Camera) -> Posed {
-    let k = f64::from(seen.view.crop.width) / f64::from(crop.width);
+    let k = f64::from(seen.view.crop.rect.width) / f64::from(crop.width);
     let at = |c: f32, from: f32| f64::from(from) + f64::from(c) * k;
     let parameters = vec![
         f64::from(crop.fx) * k,
         f64::from(crop.fy) * k,
-        at(crop.cx, seen.view.crop.x),
-        at(crop.cy, seen.view.crop.y),
+        at(crop.cx, seen.view.crop.rect.x),
+        at(crop.cy, seen.view.crop.rect.y),
     ];
     let turn = DMat3::from_cols_array(&crop.rotation.to_cols_array().map(f64::from));
     Posed {
@@ -223,7 +225,7 @@ fn place(body: &Gaussians, view: &OneView) -> (Camera, f32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::splat_prior::canonical_camera;
+    use crate::models::splat_prior::{Window, canonical_camera};
     use crate::photos::start::of_points;
 
     /// A truck of two colours: a long box and a cab at one end.
@@ -264,7 +266,7 @@ mod tests {
                 camera: canonical_camera(0.3, 128),
                 seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
                 silhouette_iou: 1.0,
-                crop: Rect { x: 10.0, y: 20.0, width: 256.0, height: 256.0 },
+                crop: Window { rect: Rect { x: 10.0, y: 20.0, width: 256.0, height: 256.0 }, turned: None },
                 colour: seen.color.iter().zip(&seen.alpha).map(straight).collect(),
                 mask: Plane { width: 128, height: 128, data: seen.alpha.clone() },
             };

@@ -142,7 +142,10 @@ mod tests {
             camera: canonical_camera(guess.to_radians(), 160),
             seen_from: Elevation { mean: 0.0, spread: 0.05 },
             silhouette_iou: 0.0,
-            crop: Rect { x: 0.0, y: 0.0, width: 160.0, height: 160.0 },
+            crop: crate::models::splat_prior::Window {
+                rect: Rect { x: 0.0, y: 0.0, width: 160.0, height: 160.0 },
+                turned: None,
+            },
             colour: seen
                 .color
                 .iter()

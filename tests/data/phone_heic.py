@@ -2,7 +2,8 @@
 
 A grid of four tiles of 128 × 128 pixels, cut to 240 × 200 and turned a quarter clockwise to be seen 200 wide and 240 high; colours of
 Display P3 by an ICC profile, full range by the stream alone, no `nclx`; EXIF that says the turn once more. The tiles are encoded by x265
-(`pip install pillow-heif numpy`), the profile is the first argument, as `moxcms::ColorProfile::new_display_p3().encode()` writes it; the container around them is written here, box by box (ISO/IEC 23008-12).
+(`pip install pillow-heif numpy`), the profile is the first argument, as `moxcms::ColorProfile::new_display_p3().encode()` writes it; the
+container around them is written here, box by box (ISO/IEC 23008-12).
 """
 
 import io

@@ -237,7 +237,7 @@ pub fn place(
         Some(r) => registered_anchor(r, to_metres.base.as_dvec3()),
         None => wanted.anchor(exif)?,
     };
-    let column = f64::from(done.prior.crop.x + done.prior.crop.width / 2.0);
+    let middle = done.prior.crop.middle();
     let heading = match registration.as_ref().filter(|_| wanted.heading.is_none()) {
         Some(r) => Heading {
             degrees: r.heading(),
@@ -246,7 +246,7 @@ pub fn place(
             words: format!("Heading {}.", registration_words(r)),
         },
         None => {
-            heading(&wanted, exif, &anchor, year, |axis| sight::bearing_of_subject(axis, column, &view), &mut warnings)
+            heading(&wanted, exif, &anchor, year, |axis| sight::bearing_of_subject(axis, middle, &view), &mut warnings)
         }
     };
     if let Some(r) = &registration {
@@ -340,7 +340,7 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
         elevation: done.prior.seen_from.mean,
         // Of a Laplace distribution whose mean error is the expected one.
         elevation_sigma: (SQRT_2 * f64::from(done.prior.seen_from.spread)).max(LEAST_ELEVATION_SIGMA.to_radians()),
-        crop_side: crop.width,
+        crop_side: crop.rect.width,
         photo_width: photo.pixels.width(),
         photo_height: photo.pixels.height(),
         canonical_distance: camera.position().length(),
@@ -355,7 +355,7 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
     // Of one photo the network was told, and `seen_from` says it.
     match photo.exif.gimbal.and_then(|g| g.pitch).filter(|_| done.several.is_some()) {
         Some(pitch) => View {
-            elevation: sight::elevation_by_pitch(pitch, f64::from(crop.y + crop.height / 2.0), &view) as f32,
+            elevation: sight::elevation_by_pitch(pitch, crop.middle(), &view) as f32,
             elevation_sigma: sight::PITCH_SIGMA.to_radians(),
             ..view
         },

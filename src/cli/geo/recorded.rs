@@ -96,6 +96,10 @@ pub fn params(
         add("texture_mirrored", share(finest.mirrored));
         add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
     }
+    if let Some(turned) = done.prior.crop.turned {
+        add("camera_turned_deg", Some(text(format!("{:.2}", turned.angle().to_degrees()))));
+        add("camera_turned_by_assumed_lens", Some(Param::Bool(turned.lens_assumed)));
+    }
     add("files_as_of", args.as_of.clone().map(text));
     add("symmetry", args.symmetry.to_possible_value().map(|v| text(v.get_name().to_owned())));
     let planes = symmetry::used(&done.symmetry).len();

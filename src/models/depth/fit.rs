@@ -48,6 +48,8 @@ struct Compared {
     camera: Camera,
     seen: splat::Frame,
     d: Plane,
+    /// Depth along the photo's optical axis, which `d` is of, over that along the camera's.
+    deeper: Vec<f32>,
     /// Pixels on the subject, away from its edge.
     sure: Vec<bool>,
 }
@@ -56,21 +58,19 @@ fn compare(view: &OneView, depth: &Plane, scale: (f32, f32)) -> Compared {
     let camera = view.camera.resized(GRID, GRID);
     let seen = splat::render(&view.gaussians, &camera, [0.0; 3]);
     let size = GRID as usize;
-    let crop = view.crop;
-    let rect =
-        Rect { x: crop.x / scale.0, y: crop.y / scale.1, width: crop.width / scale.0, height: crop.height / scale.1 };
-    let d = sample_plane(depth, rect, size, size, crate::photo::Edge::Clamp);
+    let d = view.crop.plane(depth, scale, size, crate::photo::Edge::Clamp);
+    let deeper: Vec<f32> = (0..size * size).map(|i| view.crop.deeper(i % size, i / size, size)).collect();
     let whole = Rect { x: 0.0, y: 0.0, width: view.mask.width as f32, height: view.mask.height as f32 };
     let mask = sample_plane(&view.mask, whole, size, size, crate::photo::Edge::Clamp);
     let sure = crate::models::region::eroded(size, size, EDGE, |i| mask.data[i] > 0.8 && seen.median_depth[i] > 0.0);
-    Compared { camera, seen, d, sure }
+    Compared { camera, seen, d, deeper, sure }
 }
 
 /// Where a metric network sees the front of the subject; `depth`, `scale` as for [`move_front`], `range` the plane's 0 and 1
 /// in 1 / metres. None where too few pixels are sure.
 pub fn front(view: &OneView, depth: &Plane, scale: (f32, f32), range: (f32, f32)) -> Option<Front> {
-    let Compared { camera, seen, d, sure } = compare(view, depth, scale);
-    let metres = |i: usize| f64::from(range.0 + d.data[i] * (range.1 - range.0)).recip();
+    let Compared { camera, seen, d, deeper, sure } = compare(view, depth, scale);
+    let metres = |i: usize| f64::from((range.0 + d.data[i] * (range.1 - range.0)) * deeper[i]).recip();
     let sure: Vec<usize> = (0..sure.len()).filter(|&i| sure[i] && metres(i).is_finite()).collect();
     if sure.len() < FEWEST {
         return None;
@@ -90,18 +90,18 @@ pub fn front(view: &OneView, depth: &Plane, scale: (f32, f32), range: (f32, f32)
 /// `depth` is relative inverse depth over the whole photo; `scale`, photo pixels for one of its pixels. Returns none, and moves
 /// nothing, where the two do not agree enough to be compared.
 pub fn move_front(view: &mut OneView, depth: &Plane, scale: (f32, f32)) -> Option<Fit> {
-    let Compared { camera, seen, d, sure } = compare(view, depth, scale);
+    let Compared { camera, seen, d, deeper, sure } = compare(view, depth, scale);
     let size = GRID as usize;
     let pairs: Vec<(f64, f64)> = (0..size * size)
         .filter(|&i| sure[i])
-        .map(|i| (f64::from(d.data[i]), 1.0 / f64::from(seen.median_depth[i])))
+        .map(|i| (f64::from(d.data[i]), 1.0 / f64::from(deeper[i] * seen.median_depth[i])))
         .collect();
     let mut fit = robust_line(&pairs)?;
 
     // Where each sure pixel's surface should go, smoothed so that noise in neither becomes relief.
     let shift = |i: usize| {
         let inverse = fit.gain * f64::from(d.data[i]) + fit.shift;
-        let z = if inverse > 1e-3 { (1.0 / inverse) as f32 } else { f32::INFINITY };
+        let z = if inverse > 1e-3 { (1.0 / inverse) as f32 / deeper[i] } else { f32::INFINITY };
         (z - seen.median_depth[i]).clamp(-FARTHEST, FARTHEST)
     };
     let weight = crate::models::guided::box_mean(size, size, 2, |i| f32::from(u8::from(sure[i])));
@@ -213,7 +213,10 @@ mod tests {
             camera,
             seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
-            crop: Rect { x: 10.0, y: 20.0, width: 128.0, height: 128.0 },
+            crop: crate::models::splat_prior::Window {
+                rect: Rect { x: 10.0, y: 20.0, width: 128.0, height: 128.0 },
+                turned: None,
+            },
             colour: vec![[0.5; 3]; 128 * 128],
             mask,
         }

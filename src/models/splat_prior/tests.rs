@@ -1,4 +1,5 @@
 use super::*;
+use crate::photo::Rect;
 
 /// Of a photo whose pixels are `scale` times as fine as the mask's.
 fn subject(mask: Plane, bounds: crate::models::region::Bounds, scale: f32, elevation: Elevation) -> Subject {
@@ -136,7 +137,7 @@ fn colour_and_opacity_survive() {
 #[test]
 fn the_crop_holds_the_box_at_its_fill() {
     let subject = subject(Plane::new(100, 50, 0.0), [20, 10, 60, 30], 4.0, Elevation { mean: 0.2, spread: 0.05 });
-    let crop = crop_around(&subject);
+    let crop = Window::around(&subject).rect;
     assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
     assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
 }
@@ -228,7 +229,9 @@ fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
 
 #[test]
 fn the_network_is_told_what_angle_the_crop_spans() {
-    let at = |x: f32| half_angle(Rect { x, y: 400.0, width: 200.0, height: 200.0 }, (1000, 1000), 1000.0);
+    let lens = Pinhole::centred(1000.0, (1000, 1000));
+    let at =
+        |x: f32| Window { rect: Rect { x, y: 400.0, width: 200.0, height: 200.0 }, turned: None }.half_angle(&lens);
     assert!((at(400.0) - 0.1).abs() < 1e-6, "{}", at(400.0));
     // 0.5 beside the axis: between what the rays to its sides and to its top and bottom span there.
     let (left, right) = (0.4_f32.atan(), 0.6_f32.atan());
@@ -252,9 +255,15 @@ fn the_network_is_told_what_angle_the_crop_spans() {
         }
     }
     let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
-    let told = |focal| {
+    let told = |focal: Option<f64>| {
         let graph = Told(std::sync::Mutex::default(), Flat(ports(), 0.2));
-        one_view(&RgbImage::new(64, 64), &subject, &Taken { focal, elevation: None }, &graph).unwrap();
+        one_view(
+            &RgbImage::new(64, 64),
+            &subject,
+            &Taken { lens: focal.map(|f| Pinhole::centred(f, (64, 64))), ..Taken::default() },
+            &graph,
+        )
+        .unwrap();
         graph.0.into_inner().unwrap()
     };
     assert_eq!(told(None), [0.4, 0.1, 0.0]);
