@@ -1,7 +1,7 @@
 """Score the whole `orb geo` job, and the network alone inside it, against truth.
 
     python score.py ORB SET_DIR OUT_DIR [NAME ...] [--photo plain] [--iterations 900] [--symmetry auto] [--true-mask]
-                    [--lens] [--sheet sheet.png]
+                    [--lens] [--held] [--sheet sheet.png]
 
 SET_DIR/<name>/ holds cameras.json as ../evaluate.py reads it, the photos, mask.png, mesh.glb and the truth views of group
 "gt" that it lists. Every photo goes through `orb geo --stages --height <true height>`; `orb render` draws the network's
@@ -16,7 +16,7 @@ stand the answer into the truth's frame, all with the photo's true azimuth:
 Per row: mask IoU, elevation error (degrees), silhouette IoU, PSNR (dB) over all views / those within 60 degrees of the
 photo / the others, PSNR of the colours alone (pixels that both cover), and the answer's size beside the aligned one's. --true-mask adds rows for the network with
 the true mask in place of its own, which tells what the mask costs. --lens has the photos say their focal length, to a millimetre of a
-35 mm camera's, as most cameras do. Writes OUT_DIR/scores.json.
+35 mm camera's, as most cameras do, --held how the phone was held as well, as an iPhone does. Writes OUT_DIR/scores.json.
 """
 
 import argparse
@@ -225,23 +225,30 @@ def geo(orb, photo, truth, iterations, symmetry, target):
     return float(found[0])
 
 
-def with_lens(photo, view, to):
-    """A copy of a JPEG that says the focal length of `view`, by its diagonal, in an EXIF segment of its own."""
+def with_camera(photo, view, held, to):
+    """A copy of a JPEG that says the focal length of `view`, by its diagonal, in an EXIF segment of its own; `held`: and in a phone's maker
+    note, where down is."""
     size = math.hypot(view["width"], view["height"])
     exif = Image.Exif()
     exif.get_ifd(0x8769)[0xA405] = round(view["fx"] / size * math.hypot(36, 24))
+    if held:
+        across, below, forward = np.array(view["w2c_opencv"])[:3, :3] @ [0, 0, -1]
+        felt = np.array([-below, -across, -forward])  # Of a phone on its side, its top to the left: right, to its top, out of its face.
+        note = b"Apple iOS\0\0\x01MM\0\x01" + np.array([8, 10, 0, 3, 0, 32], ">u2").tobytes() + bytes(4)
+        note += np.stack([felt * 10_000, np.full(3, 10_000)], 1).astype(">i4").tobytes()
+        exif.get_ifd(0x8769)[0x927C] = note
     segment = exif.tobytes()
     jpeg = photo.read_bytes()
     to.write_bytes(jpeg[:2] + b"\xff\xe1" + (len(segment) + 2).to_bytes(2, "big") + segment + jpeg[2:])
     return to
 
 
-def score_photo(orb, truth, view, iterations, symmetry, out, true_mask, lens):
+def score_photo(orb, truth, view, iterations, symmetry, out, true_mask, lens, held):
     """Rows of scores for one photo and what a contact sheet shows of it."""
     photo = truth.folder / view.get("file", view["name"] + ".jpg")
     target = out / f"{truth.name}_{view['name']}"
-    if lens:
-        photo = with_lens(photo, view, out / f"{truth.name}_{view['name']}_lens.jpg")
+    if lens or held:
+        photo = with_camera(photo, view, held, out / f"{truth.name}_{view['name']}_lens.jpg")
     elevation = geo(orb, photo, truth, iterations, symmetry, target)
     mask = coverage(target / "mask.png", 512)
     common = {"mask_iou": iou(mask, truth.mask), "elevation_error_deg": abs(elevation - view["elevation_deg"])}
@@ -302,6 +309,7 @@ def main():
     parser.add_argument("--photo", help="only the photos of this name: plain or outdoor")
     parser.add_argument("--true-mask", action="store_true")
     parser.add_argument("--lens", action="store_true")
+    parser.add_argument("--held", action="store_true")
     parser.add_argument("--sheet", type=Path)
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
@@ -315,7 +323,9 @@ def main():
             if args.photo not in (None, view["name"]):
                 continue
             try:
-                found, shown = score_photo(args.orb, truth, view, args.iterations, args.symmetry, args.out, args.true_mask, args.lens)
+                found, shown = score_photo(
+                    args.orb, truth, view, args.iterations, args.symmetry, args.out, args.true_mask, args.lens, args.held
+                )
             except RuntimeError as e:
                 failed.append(f"{truth.name} {view['name']}: {e}")
                 print(failed[-1], file=sys.stderr, flush=True)
