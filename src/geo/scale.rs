@@ -32,8 +32,9 @@ pub struct View {
     /// Distance and field of view (radians) of the canonical camera that sees exactly the crop, units.
     pub canonical_distance: f32,
     pub canonical_fov: f32,
-    /// From EXIF.
+    /// From EXIF, or as it is given.
     pub focal_35mm: Option<f64>,
+    pub focal_given: bool,
     /// In pixels of the photo, from the camera's model that came with its pose: wins over EXIF's.
     pub posed_focal: Option<f64>,
 }
@@ -42,6 +43,7 @@ pub struct View {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FocalBy {
     Poses,
+    Operator,
     Exif,
     Assumption,
 }
@@ -66,10 +68,11 @@ pub enum By {
 }
 
 impl FocalBy {
-    /// Of what holds for poses, EXIF and the assumption.
-    fn pick<T: Copy>(self, [poses, exif, assumed]: [T; 3]) -> T {
+    /// Of what holds for poses, an operator's word, EXIF and the assumption.
+    fn pick<T: Copy>(self, [poses, given, exif, assumed]: [T; 4]) -> T {
         match self {
             FocalBy::Poses => poses,
+            FocalBy::Operator => given,
             FocalBy::Exif => exif,
             FocalBy::Assumption => assumed,
         }
@@ -108,6 +111,10 @@ pub enum ScaleSource {
     CameraHeightPosedFocal,
     DistancePosedFocal,
     MetricDepthPosedFocal,
+    /// Camera height over the ground, focal length given.
+    CameraHeightGivenFocal,
+    DistanceGivenFocal,
+    MetricDepthGivenFocal,
     /// The cameras' positions on the Earth, or ground control points.
     Georegistration,
 }
@@ -115,8 +122,13 @@ pub enum ScaleSource {
 impl ScaleSource {
     /// The camera stands on the ground under the subject.
     pub fn by_camera_height(self) -> bool {
-        use ScaleSource::{CameraHeightAssumedFocal, CameraHeightExifFocal, CameraHeightPosedFocal};
-        matches!(self, CameraHeightExifFocal | CameraHeightAssumedFocal | CameraHeightPosedFocal)
+        use ScaleSource::{
+            CameraHeightAssumedFocal, CameraHeightExifFocal, CameraHeightGivenFocal, CameraHeightPosedFocal,
+        };
+        matches!(
+            self,
+            CameraHeightExifFocal | CameraHeightGivenFocal | CameraHeightAssumedFocal | CameraHeightPosedFocal
+        )
     }
 
     pub fn label(self) -> &'static str {
@@ -133,6 +145,9 @@ impl ScaleSource {
             ScaleSource::CameraHeightPosedFocal => "camera-height-posed-focal",
             ScaleSource::DistancePosedFocal => "distance-posed-focal",
             ScaleSource::MetricDepthPosedFocal => "metric-depth-posed-focal",
+            ScaleSource::CameraHeightGivenFocal => "camera-height-given-focal",
+            ScaleSource::DistanceGivenFocal => "distance-given-focal",
+            ScaleSource::MetricDepthGivenFocal => "metric-depth-given-focal",
             ScaleSource::Georegistration => "georegistration",
         }
     }
@@ -206,6 +221,7 @@ impl View {
             return (pixels, POSED_FOCAL_SIGMA, FocalBy::Poses);
         }
         let (focal_35mm, sigma, by) = match self.focal_35mm {
+            Some(f) if self.focal_given => (f, EXIF_FOCAL_SIGMA, FocalBy::Operator),
             Some(f) => (f, EXIF_FOCAL_SIGMA, FocalBy::Exif),
             None => (ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA, FocalBy::Assumption),
         };
@@ -241,6 +257,7 @@ impl View {
     fn focal_words(&self) -> String {
         match (self.posed_focal, self.focal_35mm) {
             (Some(f), _) => format!("focal length {f:.1} pixels of the posed camera"),
+            (None, Some(f)) if self.focal_given => format!("focal length {f} mm given"),
             (None, Some(f)) => format!("focal length {f} mm from EXIF"),
             (None, None) => format!("focal length assumed {ASSUMED_FOCAL_35MM} mm"),
         }
@@ -307,6 +324,7 @@ fn from_distance(distance: Measured, view: &View) -> Estimate {
         sigma: (distance.sigma / distance.metres).hypot(focal_sigma),
         source: by.pick([
             ScaleSource::DistancePosedFocal,
+            ScaleSource::DistanceGivenFocal,
             ScaleSource::DistanceExifFocal,
             ScaleSource::DistanceAssumedFocal,
         ]),
@@ -328,6 +346,7 @@ fn from_front(front: Measured, before_middle: f64, view: &View) -> Option<Estima
         sigma: (front.sigma / front.metres).hypot(by_focal),
         source: by.pick([
             ScaleSource::MetricDepthPosedFocal,
+            ScaleSource::MetricDepthGivenFocal,
             ScaleSource::MetricDepthExifFocal,
             ScaleSource::MetricDepthAssumedFocal,
         ]),
@@ -344,6 +363,7 @@ fn from_camera_height(height: Measured, extents: &Extents, view: &View) -> Optio
         sigma: (height.sigma / height.metres).hypot(units.sigma),
         source: view.focal().2.pick([
             ScaleSource::CameraHeightPosedFocal,
+            ScaleSource::CameraHeightGivenFocal,
             ScaleSource::CameraHeightExifFocal,
             ScaleSource::CameraHeightAssumedFocal,
         ]),

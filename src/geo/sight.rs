@@ -1,6 +1,6 @@
 //! From the camera's place to the subject's: direction, elevation, distance.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::{Enu, Extents, Geodetic, Scale, Uncertainty, View};
 use crate::photo::down;
@@ -32,12 +32,12 @@ pub fn stand(view: &View, extents: &Extents, scale: &Scale) -> Stand {
     }
 }
 
-/// The bearing of the subject frame's +Y: that of the optical axis and the angle by which the crop's middle lies beside it, seen from
-/// above, degrees. `middle`: what of the photo that is, pixels.
-pub fn bearing_of_subject(axis: f64, middle: DVec2, view: &View) -> f64 {
-    let ray = view.pinhole().ray(middle);
-    let down = down::by_elevation(f64::from(view.elevation), ray);
-    (axis + down::bearing(down, ray).to_degrees()).rem_euclid(360.0)
+/// The bearing of the subject frame's +Y, degrees: that of the optical axis and the angle by which the camera that the subject was seen
+/// with was turned aside of it, seen from above. `middle`: what of the photo is in the crop's middle, pixels; `right`: of that camera, in
+/// the axes of the photo's (right, down, forward). By its right, since a camera may look straight down.
+pub fn bearing_of_subject(axis: f64, middle: DVec2, right: DVec3, view: &View) -> f64 {
+    let down = down::by_elevation(f64::from(view.elevation), view.pinhole().ray(middle));
+    (axis + down::bearing(down, right).to_degrees() - 90.0).rem_euclid(360.0)
 }
 
 /// Of a gimbal's pitch, degrees.
@@ -86,6 +86,7 @@ mod tests {
             canonical_distance: 3.9,
             canonical_fov: 30f32.to_radians(),
             focal_35mm: Some(28.0),
+            focal_given: false,
             posed_focal: None,
         }
     }
@@ -121,8 +122,14 @@ mod tests {
         let v = View { elevation: 0.0, ..view() };
         let f = v.focal().0;
         let at = |across: f64, below: f64| DVec2::new(2000.0 + across, 1500.0 + below);
-        assert!((bearing_of_subject(350.0, at(f, 0.0), &v) - 35.0).abs() < 1e-9);
-        assert!((bearing_of_subject(10.0, at(-f, 0.0), &v) - 325.0).abs() < 1e-9);
+        // A camera that looks at it and is level, so that its right is: across the way down and the way there.
+        let bears = |axis: f64, middle: DVec2, v: &View| {
+            let ray = v.pinhole().ray(middle);
+            let right = down::by_elevation(f64::from(v.elevation), ray).cross(ray).normalize();
+            bearing_of_subject(axis, middle, right, v)
+        };
+        assert!((bears(350.0, at(f, 0.0), &v) - 35.0).abs() < 1e-9);
+        assert!((bears(10.0, at(-f, 0.0), &v) - 325.0).abs() < 1e-9);
         assert!((elevation_by_pitch(-30.0, at(0.0, 0.0), &v).to_degrees() - 30.0).abs() < 1e-9);
         assert!((elevation_by_pitch(-30.0, at(0.0, f), &v).to_degrees() - 75.0).abs() < 1e-9);
         // A camera that looks down by 60° and sees the subject a quarter of its focal length aside: twice as far on the ground, and
@@ -131,6 +138,12 @@ mod tests {
         let elevation = elevation_by_pitch(-60.0, aside, &v);
         assert!((elevation.sin() - 60f64.to_radians().sin() / 1.0625f64.sqrt()).abs() < 1e-9);
         let v = View { elevation: elevation as f32, ..v };
-        assert!((bearing_of_subject(0.0, aside, &v) - 0.5f64.atan().to_degrees()).abs() < 1e-4);
+        assert!((bears(0.0, aside, &v) - 0.5f64.atan().to_degrees()).abs() < 1e-4);
+        // Straight down the picture's top bears where the axis is said to, and what is beside the middle turns nothing that was not turned.
+        let v = View { elevation: 89f32.to_radians(), ..v };
+        for (across, below) in [(0.0, 0.0), (0.03, 0.05), (-0.05, -0.06), (0.02, -0.08)] {
+            let bearing = bearing_of_subject(90.0, at(across * f, below * f), DVec3::X, &v);
+            assert!((bearing - 90.0).abs() < 1.0, "{bearing}");
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Where down is for a camera, as a unit vector in its axes (right, down, forward), and what follows for what lies on a ray.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 
 /// Of a camera that is not rolled, its optical axis `pitch` radians above the horizon.
@@ -8,13 +10,13 @@ pub fn by_pitch(pitch: f64) -> DVec3 {
 }
 
 /// Of a camera that is not rolled and looks down on what lies on `ray` by `elevation` radians; beside the axis there may be no such
-/// camera, and then the nearest.
+/// camera, and then the nearest. None looks further down than straight down.
 ///
 /// By sin(elevation) = (y cos q + sin q) / |ray|, q the optical axis' angle below the horizon.
 pub fn by_elevation(elevation: f64, ray: DVec3) -> DVec3 {
     let y = ray.y / ray.z;
     let sine = elevation.sin() * ray.length() / ray.z / 1f64.hypot(y);
-    by_pitch(y.atan() - sine.clamp(-1.0, 1.0).asin())
+    by_pitch((y.atan() - sine.clamp(-1.0, 1.0).asin()).max(-FRAC_PI_2))
 }
 
 /// How far above what lies on `ray` the camera stands, radians above the horizon there.
@@ -22,7 +24,8 @@ pub fn elevation(down: DVec3, ray: DVec3) -> f64 {
     (down.dot(ray) / ray.length()).clamp(-1.0, 1.0).asin()
 }
 
-/// By how much what lies on `ray` bears to the right of the optical axis, radians, seen from above.
+/// By how much what lies on `ray` bears to the right of the optical axis, radians, seen from above; of an axis straight down, to the right
+/// of the picture's top.
 pub fn bearing(down: DVec3, ray: DVec3) -> f64 {
     let level = |v: DVec3| v - v.dot(down) * down;
     let (axis, ray) = (level(DVec3::Z), level(ray));

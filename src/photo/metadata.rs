@@ -12,6 +12,8 @@ use super::xmp::{self, Gimbal};
 pub struct Exif {
     /// Focal length in 35 mm equivalent, millimetres; of the whole picture that the camera took.
     pub focal_35mm: Option<f64>,
+    /// Somebody said that in place of the file.
+    pub focal_given: bool,
     /// Pixels of that picture, as written.
     pub taken: Option<(u32, u32)>,
     /// Bearing of the optical axis, degrees clockwise from true north, [0, 360).
@@ -50,6 +52,14 @@ impl Exif {
             });
         }
         self
+    }
+
+    /// Of a camera whose focal length somebody says.
+    pub fn with_focal(self, given: Option<f64>) -> Self {
+        match given {
+            Some(_) => Exif { focal_35mm: given, focal_given: true, ..self },
+            None => self,
+        }
     }
 
     /// Of a picture of `width` by `height`: where it has another shape than what the camera took, somebody cut it, and of what is left
@@ -139,6 +149,7 @@ pub(super) fn read(block: Vec<u8>) -> (Exif, Orientation) {
     let orientation = uint(Tag::Orientation).map(Orientation::from_tag).unwrap_or_default();
     let exif = Exif {
         focal_35mm,
+        focal_given: false,
         taken,
         image_direction,
         direction_is_magnetic,

@@ -237,7 +237,7 @@ pub fn place(
         Some(r) => registered_anchor(r, to_metres.base.as_dvec3()),
         None => wanted.anchor(exif)?,
     };
-    let middle = done.prior.crop.middle();
+    let (middle, right) = (done.prior.crop.middle(), done.prior.crop.right(&view.pinhole()));
     let heading = match registration.as_ref().filter(|_| wanted.heading.is_none()) {
         Some(r) => Heading {
             degrees: r.heading(),
@@ -245,9 +245,14 @@ pub fn place(
             source: HeadingSource::Georegistration,
             words: format!("Heading {}.", registration_words(r)),
         },
-        None => {
-            heading(&wanted, exif, &anchor, year, |axis| sight::bearing_of_subject(axis, middle, &view), &mut warnings)
-        }
+        None => heading(
+            &wanted,
+            exif,
+            &anchor,
+            year,
+            |axis| sight::bearing_of_subject(axis, middle, right, &view),
+            &mut warnings,
+        ),
     };
     if let Some(r) = &registration {
         warnings.extend(r.contradiction(fixes));
@@ -346,6 +351,7 @@ fn view(photo: &Photo, done: &Reconstruction) -> View {
         canonical_distance: camera.position().length(),
         canonical_fov: 2.0 * (camera.width as f32 / 2.0 / camera.fx).atan(),
         focal_35mm: photo.exif.focal_35mm,
+        focal_given: photo.exif.focal_given,
         posed_focal: None,
     };
     if let Some(focal) = done.several.as_ref().and_then(|s| s.reference_focal) {

@@ -13,6 +13,7 @@ fn view(elevation_deg: f32) -> View {
         canonical_distance: 3.9,
         canonical_fov: 30f32.to_radians(),
         focal_35mm: Some(50.0),
+        focal_given: false,
         posed_focal: None,
     }
 }
@@ -60,6 +61,9 @@ fn camera_height_gives_the_scale_of_a_known_scene() {
     let s = metres_per_unit(&far, &EXTENTS, &v).unwrap();
     assert!((s.metres_per_unit - metres_a_unit).abs() < 1e-6);
     assert_eq!(s.source, ScaleSource::DistanceExifFocal);
+    let told = metres_per_unit(&far, &EXTENTS, &View { focal_given: true, ..v }).unwrap();
+    assert_eq!((told.metres_per_unit, told.source), (s.metres_per_unit, ScaleSource::DistanceGivenFocal));
+    assert!(told.words().ends_with("focal length 50 mm given"), "{}", told.words());
 }
 
 /// Before a building the camera stands below its middle; where the angle says that it stands below the ground, the angle is off.

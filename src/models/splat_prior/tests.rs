@@ -272,6 +272,45 @@ fn the_network_is_told_what_angle_the_crop_spans() {
 }
 
 #[test]
+fn who_looked_past_its_subject_looks_again() {
+    /// Says of each picture that the subject's middle is to the right of its own by a quarter of its side.
+    struct Past(Flat, std::sync::Mutex<Vec<Vec<f32>>>);
+    impl Graph for Past {
+        fn inputs(&self) -> Vec<Port> {
+            self.0.inputs()
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.0.outputs()
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            self.1.lock().unwrap().push(inputs[0].1.data.clone());
+            let mut out = self.0.run(inputs)?;
+            let camera = &mut out.iter_mut().find(|(name, _)| name == "camera").unwrap().1;
+            camera.data[1] = -0.5 * DISTANCE * (FOV / 2.0).tan();
+            Ok(out)
+        }
+    }
+    let mut mask = Plane::new(64, 64, 0.0);
+    (24..40).for_each(|y| (44..60).for_each(|x| mask.data[64 * y + x] = 1.0));
+    let subject = subject(mask, [44, 24, 60, 40], 1.0, Elevation { mean: 0.4, spread: 0.1 });
+    let photo = RgbImage::from_fn(64, 64, |x, y| image::Rgb([4 * x as u8, 4 * y as u8, 90]));
+    let lens = Pinhole::centred(64.0, (64, 64));
+    let made = |aim| {
+        let graph = Past(Flat(ports(), 0.0), std::sync::Mutex::default());
+        let view = one_view(&photo, &subject, &Taken { aim, ..Taken::default() }, &graph).unwrap();
+        (view, graph.1.into_inner().unwrap())
+    };
+    let (as_it_is, once) = made(None);
+    assert!(as_it_is.crop == Window::around(&subject) && once.len() == 1);
+    let aim = Aim { lens, lens_assumed: false, down: None };
+    let (turned, looks) = made(Some(aim));
+    assert!(looks.len() == 2 && looks[0] != once[0] && looks[0] != looks[1]);
+    let first = Window::straight(&subject, &aim, 0.4);
+    let axis = |w: Window| w.turned.unwrap().to_photo.z_axis;
+    assert!(axis(turned.crop).x > axis(first).x + 0.02, "{} {}", axis(turned.crop), axis(first));
+}
+
+#[test]
 fn the_network_lifts_the_container_and_its_camera_shows_the_photo_again() {
     use crate::models::{Rten, prior, scene};
     let (photo, subject) = &*scene::tests::CONTAINER;

@@ -4,7 +4,7 @@
 //! the lens and leans where the camera is pitched, and all of it where it is rolled: so it is drawn anew, as a camera at the same place
 //! sees it that looks straight at it. No ray becomes another one by that.
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 use image::RgbImage;
 
 use super::FILL;
@@ -130,6 +130,14 @@ impl Window {
         let Rect { x, y, width, height } = self.rect;
         let middle = DVec2::new(f64::from(x + width / 2.0), f64::from(y + height / 2.0));
         self.turned.as_ref().and_then(|t| t.in_photo(middle)).unwrap_or(middle)
+    }
+
+    /// Right of the camera that it is seen with, in the axes of the photo's, as little turned as it can be where the photo was left as it is.
+    pub fn right(&self, lens: &Pinhole) -> DVec3 {
+        match self.turned {
+            Some(turned) => turned.to_photo.x_axis,
+            None => DQuat::from_rotation_arc(DVec3::Z, lens.ray(self.middle()).normalize()) * DVec3::X,
+        }
     }
 
     /// Tangent of half the angle that it spans, with the photo's lens.
