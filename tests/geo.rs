@@ -216,6 +216,8 @@ fn gaussians_alone_are_published_as_seen_from_where_the_camera_looked() {
     let lens = (exif::Tag::FocalLengthIn35mmFilm, exif::Value::Short(vec![90]));
     let long = made_of(&crate::place::photo(dir.path(), &[lens], None), "long", &[]);
     assert_ne!(scene(&seen), scene(&long));
+    let said = made("said", &["--focal", "90"]);
+    assert!(scene(&said) == scene(&long) && params(&said)["focal_given_35mm"] == "90");
     let refused = orb(&["reconstruct", "--pitch", "-91"]).arg(samples().join("smart_car.jpg")).output().unwrap();
     assert!(refused.status.code() == Some(2) && text(&refused).contains("--pitch"), "{}", text(&refused));
 }
@@ -283,6 +285,7 @@ fn refuses_wrong_arguments() {
         (["--origin", "NaN,0,0"], "NaN"),
         (["--heading", "inf"], "--heading"),
         (["--pitch", "91"], "--pitch"),
+        (["--focal", "0"], "--focal"),
         (["--height", "-2"], "--height"),
         (["--facc", "nothing"], "--facc"),
         (["--format", "step"], "step"),

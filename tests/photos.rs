@@ -75,6 +75,7 @@ fn posed_photos_become_a_model_at_their_place_on_the_earth() {
     assert!(b.refused(&["geo", &photos, "--mask", "x.png"]).contains("--mask"));
     assert!(b.refused(&["geo", &photos, "--pitch", "-30"]).contains("--pitch"));
     assert!(b.refused(&["reconstruct", &photos, "--pitch", "-30"]).contains("--pitch"));
+    assert!(b.refused(&["geo", &photos, "--focal", "26"]).contains("--focal"));
     assert!(b.refused(&["geo", &b.text("alone/01.png"), "--poses", "x"]).contains("--poses"));
     for i in 2..7 {
         std::fs::remove_file(b.at("alone").join(format!("{i:02}.png"))).unwrap();

@@ -50,7 +50,8 @@ impl Front {
         let limits = photo::Limits::default();
         let bytes = super::geo::read_photo(path, limits.file_bytes)?;
         let name = name_of(path);
-        let photo = photo::decode(&name, &bytes, &limits)?;
+        let mut photo = photo::decode(&name, &bytes, &limits)?;
+        photo.exif = photo.exif.with_focal(args.focal);
         let carried = marking::carried(&name, &bytes)?;
         let input = record::input(&name, &bytes, photo.media_type, "photo", carried.clone());
         Ok(Front::One { photo: Box::new(photo), inputs: vec![input], carried: vec![carried] })

@@ -75,6 +75,10 @@ pub struct Submission {
     #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
     #[schema(minimum = -90, maximum = 90)]
     pub pitch: Option<f64>,
+    /// Of one photo's camera, millimetres of a 36 × 24 mm frame.
+    #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = 4, maximum = 3000)]
+    pub focal: Option<f64>,
     /// Metres, as the next four.
     #[serde(deserialize_with = "number", skip_serializing_if = "Option::is_none")]
     pub height: Option<f64>,
@@ -228,6 +232,7 @@ impl Submission {
             ("origin-accuracy", self.origin_accuracy),
             ("heading", self.heading),
             ("pitch", self.pitch),
+            ("focal", self.focal),
             ("height", self.height),
             ("length", self.length),
             ("width", self.width),
@@ -325,6 +330,7 @@ mod tests {
             ("origin", "-34.5,-118.4,740"),
             ("heading", "-12.5"),
             ("pitch", "-30"),
+            ("focal", "26"),
             ("format", "cdb,splat-glb, tiles3d"),
             ("quality", "draft"),
             ("alt_datum", "msl"),
@@ -341,6 +347,7 @@ mod tests {
                 "--alt-datum=msl",
                 "--heading=-12.5",
                 "--pitch=-30",
+                "--focal=26",
                 "--format=cdb,splat-glb,tiles3d",
                 "--quality=draft",
                 "--seed=7",

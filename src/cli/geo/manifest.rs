@@ -9,7 +9,7 @@ use crate::audit::dsse::Envelope;
 use crate::audit::statement::{Param, Statement};
 use crate::{Error, Kind, Result};
 
-const COLUMNS: [&str; 17] = [
+const COLUMNS: [&str; 18] = [
     "photo",
     "name",
     "origin",
@@ -17,6 +17,7 @@ const COLUMNS: [&str; 17] = [
     "alt_datum",
     "heading",
     "pitch",
+    "focal",
     "height",
     "length",
     "width",
@@ -268,6 +269,7 @@ impl Line {
         p.alt_datum = choice(self, "alt_datum")?.or(p.alt_datum);
         p.heading = number("heading")?.or(p.heading);
         to.photos.pitch = number("pitch")?.or(to.photos.pitch);
+        to.photos.focal = number("focal")?.or(to.photos.focal);
         let s = &mut to.size;
         s.height = number("height")?.or(s.height);
         s.length = number("length")?.or(s.length);

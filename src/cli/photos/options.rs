@@ -15,6 +15,11 @@ pub struct PhotosArgs {
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     pub pitch: Option<f64>,
 
+    /// Focal length of one photo's camera, as its whole frame had it, for a frame of 36 × 24 mm (phones: 24 to 28). Default: the photo's
+    /// EXIF, else unknown.
+    #[arg(long, value_name = "MM")]
+    pub focal: Option<f64>,
+
     /// Where the cameras of several photos stood: a COLMAP model, a folder of models (the largest is taken) or a
     /// transforms.json. Default: what lies in the folder of the photos or beside it.
     #[arg(long, value_name = "PATH", help_heading = "Several photos")]
@@ -58,6 +63,18 @@ impl PhotosArgs {
                 return Err(refused.expected("degrees between -90 (straight down) and 90").found(pitch.to_string()));
             }
         }
+        if let Some(focal) = self.focal {
+            let refused = Error::usage("--focal");
+            if several {
+                return Err(refused
+                    .expected("one photo")
+                    .found(format!("{focal} mm of several"))
+                    .advice("Leave it out: the poses tell what lens each camera has."));
+            }
+            if !(4.0..=3000.0).contains(&focal) {
+                return Err(refused.expected("millimetres between 4 and 3000").found(focal.to_string()));
+            }
+        }
         if several {
             return Ok(());
         }
@@ -75,6 +92,8 @@ impl PhotosArgs {
 
     /// What the record says of them beside the photos' own.
     pub fn params(&self) -> impl Iterator<Item = (String, Param)> {
-        self.pitch.map(|p| ("pitch_given_deg".into(), Param::Text(p.to_string()))).into_iter()
+        [("pitch_given_deg", self.pitch), ("focal_given_35mm", self.focal)]
+            .into_iter()
+            .filter_map(|(name, value)| Some((name.into(), Param::Text(value?.to_string()))))
     }
 }

@@ -120,9 +120,9 @@ function photo(files = []) {
   stage.tabIndex = several ? -1 : 0;
   $("pointing").hidden = !files.length || several;
   $("several").hidden = !several;
-  $("pitched").hidden = several;
+  $("pitched").hidden = $("lens").hidden = several;
   $("photos").textContent = several ? `${files.length} photos: ${[...files].slice(0, 6).map((f) => f.name).join(", ")}${files.length > 6 ? ", …" : ""}` : "";
-  if (several) $("pitch").value = "";
+  if (several) $("pitch").value = $("focal").value = "";
   else $("poses").value = $("gcp").value = "";
   put(null);
 }
