@@ -33,12 +33,12 @@ pub fn bearing(down: DVec3, ray: DVec3) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use glam::DMat3;
 
     /// East, north, up → right, down, forward of a camera by heading, pitch and roll, clockwise, degrees.
-    fn camera(heading: f64, pitch: f64, roll: f64) -> DMat3 {
+    pub(crate) fn camera(heading: f64, pitch: f64, roll: f64) -> DMat3 {
         let level = DMat3::from_cols(DVec3::X, DVec3::Z, -DVec3::Y);
         let [heading, pitch, roll] = [heading, pitch, roll].map(f64::to_radians);
         DMat3::from_rotation_z(-roll) * DMat3::from_rotation_x(-pitch) * DMat3::from_rotation_y(-heading) * level

@@ -86,23 +86,25 @@ impl<'a> Heif<'a> {
         if self.alpha.is_some() { PixelLayout::Rgba8 } else { PixelLayout::Rgb8 }
     }
 
+    /// Of the coded picture, or of the first of those that the picture is made of.
+    fn coded_props(&self) -> heic_rs::Result<ItemProps<'a>> {
+        match self.file.grid(self.item)? {
+            Some((_, tiles)) => tiles.first().map_or_else(|| Ok(self.props.clone()), |tile| self.file.props(*tile)),
+            None => Ok(self.props.clone()),
+        }
+    }
+
     /// How samples are to be taken for colours: by the container, else by the stream (ISO/IEC 23008-12, section 6.5.5), and by the
     /// rules for files that do not say it (ISO/IEC 23000-22, section 7.3.6.4).
     fn nclx(&self) -> heic_rs::Result<Nclx> {
-        let said = match self.props.nclx {
-            Some(said) => said,
-            None => {
-                let tile = match self.file.grid(self.item)? {
-                    Some((_, tiles)) => tiles.first().map(|tile| self.file.props(*tile)).transpose()?,
-                    None => None,
-                };
-                let coded = tile.as_ref().unwrap_or(&self.props);
-                let said = coded.hvcc.as_ref().map(|c| hevc_colour::said(&c.parameter_sets())).unwrap_or_default();
-                let Said { full_range, primaries, transfer, matrix } = said;
-                let range = if full_range { Range::Full } else { Range::Limited };
-                Nclx { primaries, transfer, matrix: MatrixCoefficients::from_code(matrix), matrix_code: matrix, range }
-            }
+        let coded = self.coded_props()?;
+        let by_stream = || {
+            let said = coded.hvcc.as_ref().map(|c| hevc_colour::said(&c.parameter_sets())).unwrap_or_default();
+            let Said { full_range, primaries, transfer, matrix } = said;
+            let range = if full_range { Range::Full } else { Range::Limited };
+            Nclx { primaries, transfer, matrix: MatrixCoefficients::from_code(matrix), matrix_code: matrix, range }
         };
+        let said = self.props.nclx.or(coded.nclx).unwrap_or_else(by_stream);
         Ok(match said.matrix {
             MatrixCoefficients::Unspecified => Nclx { matrix: MatrixCoefficients::Bt601, ..said },
             _ => said,
@@ -152,7 +154,8 @@ impl ImageDecoder for Heif<'_> {
             12 => ColorProfile::new_display_p3().encode().ok(),
             _ => None,
         };
-        Ok(self.props.icc.map(<[u8]>::to_vec).or_else(of_primaries))
+        let profile = self.props.icc.or_else(|| self.coded_props().ok()?.icc);
+        Ok(profile.map(<[u8]>::to_vec).or_else(of_primaries))
     }
 
     fn exif_metadata(&mut self) -> ImageResult<Option<Vec<u8>>> {

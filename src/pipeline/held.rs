@@ -22,8 +22,8 @@ pub struct Held {
     pub down: DVec3,
 }
 
-/// By the pitch of the optical axis that is `given`, degrees above the horizon, else the gimbal's, else what the phone felt. `middle`:
-/// that of what the photo shows of the subject, pixels. `None` where nobody says.
+/// By the pitch of the optical axis that is `given`, degrees above the horizon, else the gimbal's, else what the phone felt; over what lies
+/// in the `middle` of what the photo shows of the subject, pixels. `None` where nobody says.
 pub fn held(given: Option<f64>, photo: &Photo, middle: DVec2) -> Option<Held> {
     let exif = &photo.exif;
     let by_pitch = |degrees: f64| down::by_pitch(degrees.to_radians());

@@ -256,6 +256,7 @@ fn bounds(subject: &Subject, turned: &Turned) -> Option<[f32; 4]> {
 mod tests {
     use super::*;
     use crate::models::scene::Elevation;
+    use crate::photo::down::tests::camera;
 
     const LENS: Pinhole = Pinhole { focal: DVec2::splat(400.0), middle: DVec2::new(320.0, 240.0) };
 
@@ -264,13 +265,6 @@ mod tests {
         let (bears, above) = (ray.x.atan2(ray.y), ray.z.atan2(ray.x.hypot(ray.y)));
         [0.5 + 0.4 * (9.0 * bears).sin(), 0.5 + 0.4 * (11.0 * above).cos(), 0.5 + 0.3 * (7.0 * (bears + above)).sin()]
             .map(|v| v as f32)
-    }
-
-    /// East, north, up → right, down, forward, by heading, pitch and roll, degrees.
-    fn camera(heading: f64, pitch: f64, roll: f64) -> DMat3 {
-        let level = DMat3::from_cols(DVec3::X, DVec3::Z, -DVec3::Y);
-        let [heading, pitch, roll] = [heading, pitch, roll].map(f64::to_radians);
-        DMat3::from_rotation_z(-roll) * DMat3::from_rotation_x(-pitch) * DMat3::from_rotation_y(-heading) * level
     }
 
     fn photo(camera: DMat3) -> RgbImage {
