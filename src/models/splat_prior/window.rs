@@ -17,7 +17,7 @@ const ASIDE: f64 = 0.105;
 /// Further than that from where a camera looks the network has to say that the subject's own middle is, radians, to be believed: where
 /// the photo's camera may have looked straight at it, and where the camera was turned by what is seen of the subject.
 const BELIEVED: [f64; 2] = [0.052, 0.017];
-/// Further off than that it never was right.
+/// Further off than that it is taken for a mistake.
 const TOO_FAR: f64 = 0.2;
 /// Sine of how far down a camera looks at most of which nobody says it: there a small error of the elevation turns all.
 const STEEPEST: f64 = 0.95;
