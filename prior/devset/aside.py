@@ -1,6 +1,6 @@
-"""The development set's plain photos as they are when the camera does not look straight at its subject.
+"""The development set's photos as they are when the camera does not look straight at its subject.
 
-    python devset/aside.py SET OUT [--aside 0.27] [--below 0] [--roll 0]      # then: devset/score.py ORB OUT TO --photo plain --lens
+    python devset/aside.py SET OUT [--aside 0.27] [--below 0] [--roll 0] [--inside]     # then: devset/score.py ORB OUT TO --photo plain --lens
 
 The same place, the same lens, the camera turned: level unless rolled, the subject's middle ASIDE and BELOW focal lengths beside the
 optical axis. Another camera at the same place sees the same rays, so the photo drawn anew is exact, but for being sampled twice.
@@ -54,6 +54,7 @@ def main():
     parser.add_argument("--aside", type=float, default=0.27)
     parser.add_argument("--below", type=float, default=0.0)
     parser.add_argument("--roll", type=float, default=0.0, help="degrees, clockwise")
+    parser.add_argument("--inside", action="store_true", help="no more of it than SET's photo shows: of a camera that is rolled alone")
     args = parser.parse_args()
     for folder in sorted(p.parent for p in args.set.glob("*/cameras.json")):
         about = json.loads((folder / "cameras.json").read_text())
@@ -65,9 +66,11 @@ def main():
         focal, size = view["fx"], view["width"]
         ray = np.abs(by @ [0, 0, 1]) / (by @ [0, 0, 1])[2] * focal
         width, height = (2 * int(r + 0.6 * size) for r in ray[:2])
+        if args.inside:
+            width = height = int(size / (abs(by[0, 0]) + abs(by[0, 1])))
         to = args.out / folder.name
         to.mkdir(parents=True, exist_ok=True)
-        for name, mode in (("photo_plain.jpg", "RGB"), ("mask.png", "L")):
+        for name, mode in (("photo_plain.jpg", "RGB"), ("photo_outdoor.jpg", "RGB"), ("mask.png", "L")):
             picture = np.asarray(Image.open(folder / name).convert(mode), np.float32).reshape(size, size, -1) / 255
             made = drawn(torch.from_numpy(picture).permute(2, 0, 1), focal, by, width, height)
             if mode == "L":
@@ -78,7 +81,6 @@ def main():
             whole[:3, :3] = by
             moved = (whole @ np.array(v["w2c_opencv"])).tolist()
             v |= {"width": width, "height": height, "cx": width / 2, "cy": height / 2, "w2c_opencv": moved}
-        about["views"] = [v for v in about["views"] if v["name"] != "outdoor"]
         (to / "cameras.json").write_text(json.dumps(about, indent=1))
         for name in ("gt", "mesh.glb"):
             (to / name).unlink(missing_ok=True)
