@@ -62,7 +62,7 @@ def look(net, photo):
     wide = F.affine_grid(torch.tensor([[[1.35, 0, 0], [0, 1.35, 0]]], device=DEVICE), (1, 3, PHOTO, PHOTO), align_corners=False)
     margin = F.grid_sample(photo[None], wide, mode="bilinear", padding_mode="reflection", align_corners=False)
     small = F.interpolate(torch.cat([photo[None], margin]), size=SceneNet.SIZE, mode="area")
-    logits, _, elevation = net(F.pad(small, (0, 0, 0, 0, 0, 1)))
+    logits, _, elevation, _ = net(F.pad(small, (0, 0, 0, 0, 0, 1)))
     masks = F.interpolate(torch.sigmoid(logits), size=PHOTO, mode="bilinear")
     back = F.affine_grid(torch.tensor([[[1 / 1.35, 0, 0], [0, 1 / 1.35, 0]]], device=DEVICE), (1, 1, PHOTO, PHOTO), align_corners=False)
     inner = F.grid_sample(masks[1:], back, mode="bilinear", align_corners=False)

@@ -16,21 +16,22 @@ from packing import FOUR_BITS, pack
 
 OPSET = 17
 
-SCENE_OUTPUTS = ["mask", "inverse_depth", "elevation"]
+SCENE_OUTPUTS = ["mask", "inverse_depth", "elevation", "roll"]
 DETAIL_OUTPUTS = ["mask", "inverse_depth"]
 SPLAT_OUTPUTS = ["position", "scale", "rotation", "opacity", "color", "elevation", "camera", "error"]
 
 
 class Scene(torch.nn.Module):
-    """image [1, 4, 256, 256], photo and point -> mask 0..1, inverse depth, [1, 1, 256, 256] each, elevation [1, 2]."""
+    """image [1, 4, 256, 256], photo and point -> mask 0..1, inverse depth, [1, 1, 256, 256] each, elevation and roll,
+    [1, 2] each."""
 
     def __init__(self, net):
         super().__init__()
         self.n = net
 
     def forward(self, image):
-        logits, depth, elevation = self.n(image)
-        return torch.sigmoid(logits), depth, elevation
+        logits, depth, elevation, held = self.n(image)
+        return torch.sigmoid(logits), depth, elevation, held[:, 2:]
 
 
 class Detail(torch.nn.Module):

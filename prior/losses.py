@@ -25,14 +25,14 @@ def scene_step(net, pool, n):
     """Returns loss, figures {name: number} and picture columns, each [n, 1 or 3, S, S] in 0..1."""
     batch = scene_batch(pool, n)
     with torch.autocast("cuda", torch.bfloat16):
-        logits, depth, elevation = net(torch.cat([batch.photo, batch.point], 1))
+        logits, depth, elevation, _ = net(torch.cat([batch.photo, batch.point], 1))
     logits = logits[:, 0].float()
     depth = depth[:, 0].float()
     truth = normalised_inverse_depth(batch.depth)
     answer = centred(depth)
     mask_loss = mask_losses(logits, batch.alpha, batch.shade)
     depth_loss, edge_loss = depth_losses(answer, truth, batch.alpha)
-    elevation_loss, off = elevation_losses(elevation, batch.elevation)
+    elevation_loss, off = guess_losses(elevation, batch.elevation)
     loss = mask_loss + 0.6 * depth_loss + 0.5 * edge_loss + 0.05 * elevation_loss
     figures = {"iou": mask_iou(logits, batch.alpha), "l_d": depth_loss, "el_deg": off}
     columns = [
@@ -43,6 +43,18 @@ def scene_step(net, pool, n):
         (answer[:, None] + 1.5) / 5,
     ]
     return loss, figures, columns
+
+
+def held_step(net, pool, n):
+    """As `scene_step`, of what SceneNet says of how the camera was held alone."""
+    batch = scene_batch(pool, n)
+    with torch.autocast("cuda", torch.bfloat16):
+        _, _, had, held = net(torch.cat([batch.photo, batch.point], 1))
+    elevation_loss, off = guess_losses(held[:, :2], batch.elevation)
+    roll_loss, rolled_off = guess_losses(held[:, 2:], batch.roll)
+    figures = {"el_deg": off, "had_deg": guess_losses(had, batch.elevation)[1], "roll_deg": rolled_off}
+    figures["level_deg"] = batch.roll.abs().mean() * (180 / math.pi)
+    return elevation_loss + roll_loss, figures, [batch.photo]
 
 
 def detail_step(net, pool, n, masks):
@@ -116,7 +128,7 @@ def depth_losses(answer, truth, alpha):
     return absolute, edges
 
 
-def elevation_losses(answer, truth):
+def guess_losses(answer, truth):
     """Negative log-likelihood of truth [n] under Laplace distributions [n, 2], and the mean error in degrees."""
     off = (answer[:, 0] - truth).abs()
     return (off / answer[:, 1] + answer[:, 1].log()).mean(), off.mean() * (180 / math.pi)
@@ -167,7 +179,7 @@ def splat_step(net, pool, n, heed=None, perception=None, perceived=0.0, overlap=
     present = (~batch.empty).float()[:, None, None, None, None]
     overlap_loss = (present * silhouette_losses(alpha, batch.alpha)).mean()
     depth_loss = front_depth_loss(splats["depth"], batch)
-    elevation_loss, off = elevation_losses(splats["elevation"], batch.elevation)
+    elevation_loss, off = guess_losses(splats["elevation"], batch.elevation)
     camera_loss = F.smooth_l1_loss(splats["camera"], batch.camera, beta=0.03, reduction="none")
     camera_loss = (camera_loss * present[:, 0, 0, 0] * fixed(CAMERA_WEIGHTS, camera_loss.device)).sum(1).mean()
     size_loss = F.relu(splats["scale"] - 0.06).mean()
@@ -356,4 +368,4 @@ def view_scores(answer, truth, alpha, truth_alpha, weight):
     return {"psnr_in": psnr(0), "psnr_near": psnr(1), "psnr_far": psnr(far), "iou_far": iou}
 
 
-STEPS = {"scene": scene_step, "detail": detail_step, "splat": splat_step, "error": error_step}
+STEPS = {"scene": scene_step, "held": held_step, "detail": detail_step, "splat": splat_step, "error": error_step}

@@ -10,6 +10,7 @@ parameter names of every checkpoint and of the ONNX files: renaming one breaks t
 
 import math
 import re
+from typing import NamedTuple
 
 import torch
 import torch.nn.functional as F
@@ -61,12 +62,23 @@ class Block(nn.Module):
         return x + self.f(self.n2(x))
 
 
+class Read(NamedTuple):
+    """What a U-Net made of pictures [B, cin, S, S]: answer [B, cout, S, S]; token [B, widths[-1]], the mean of tokens; features
+    [B, widths[0], S, S], of which the answer was made; tokens [B, widths[-1], grid, grid], and of the grid four times as fine what
+    the way down and the way up made, between [B, widths[-3], 4 grid, 4 grid] each."""
+
+    answer: torch.Tensor
+    token: torch.Tensor
+    features: torch.Tensor
+    tokens: torch.Tensor
+    between: tuple
+
+
 class UNet(nn.Module):
     """Convolutions down to a `grid` x `grid` map, `depth` transformer blocks there, convolutions up again.
 
-    Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). Output: map [B, cout, S, S], the mean token
-    [B, widths[-1]] and what the map was made of, [B, widths[0], S, S]. `blocks` is the number of residual blocks a level,
-    `near` that of transformer blocks on the next finer grid, on the way up.
+    Input [B, cin, S, S] with S = grid * 2^(len(widths) - 1). `blocks` is the number of residual blocks a level, `near` that of
+    transformer blocks on the next finer grid, on the way up.
     """
 
     def __init__(self, cin, widths, cout, grid, depth, heads, blocks=2, near=0):
@@ -95,14 +107,17 @@ class UNet(nn.Module):
         skips = way_down(self.down, self.stem(x) + beside)
         x = skips[-1]
         tokens = self.norm(attended(x, self.pos + told, self.mid))
-        x = as_map(tokens, x.shape)
+        x = coarse = as_map(tokens, x.shape)
+        between = ()
         for i, up in enumerate(self.up):
             if i > 0:
                 x = F.interpolate(x, scale_factor=2.0, mode="nearest")
             x = up(torch.cat([x, skips[-1 - i]], 1))
             if i == 1 and len(self.near):
                 x = as_map(attended(x, self.pos_near, self.near), x.shape)
-        return self.head(x), tokens.mean(1), x
+            if i == 2:
+                between = (skips[-3], x)
+        return Read(self.head(x), tokens.mean(1), x, coarse, between)
 
 
 def way_down(levels, x):
@@ -167,18 +182,21 @@ def hint_head(width):
     return layers
 
 
-def elevation(y):
-    """[B, 2] -> elevation above the horizon and the scale of its Laplace distribution (the error's mean), radians."""
+def guess(y):
+    """[B, 2] -> an angle and the scale of its Laplace distribution (the error's mean), radians."""
     return torch.stack([y[:, 0], torch.exp(y[:, 1].clamp(-4, 2) - 2)], 1)
 
 
 class SceneNet(nn.Module):
-    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each, and elevation [B, 2].
+    """Photo and point [B, 4, 256, 256] -> mask logits and inverse depth, [B, 1, 256, 256] each, elevation [B, 2] and how the camera was
+    held [B, 4].
 
     Photo: sRGB 0..1. Point: 1 where the user says that the subject is, falling off around it as
     `synth.batches.point_map` draws it; all 0 where nobody says, then the subject is what stands in the middle.
     Inverse depth is right up to a scale and an offset of its own for every picture.
-    Elevation: as `elevation_head` has it, of the camera above the subject's centre, told by all that is around it.
+    Elevation: a `guess`, of the camera above the subject's centre, told by all that is around it. How it was held (`Held`): another
+    guess of the same, and one of the camera's roll about its axis, by which the lower ends of plumb lines that the axis meets lean to the
+    right in the photo.
     """
 
     SIZE = 256
@@ -187,10 +205,11 @@ class SceneNet(nn.Module):
         super().__init__()
         self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=16, depth=9, heads=7)
         self.el = head(224, 2)
+        self.held = Held(96, 224)
 
     def forward(self, x):
-        y, mean_token, _ = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
-        return y[:, :1], y[:, 1:], elevation(self.el(mean_token.float()))
+        read = self.net(torch.cat([x[:, :3] * 2 - 1, x[:, 3:]], 1))
+        return read.answer[:, :1], read.answer[:, 1:], guess(self.el(read.token.float())), self.held(read)
 
 
 class DetailNet(nn.Module):
@@ -206,8 +225,35 @@ class DetailNet(nn.Module):
         self.net = UNet(4, (24, 48, 96, 192, 224), cout=2, grid=24, depth=9, heads=7)
 
     def forward(self, x):
-        y, _, _ = self.net(x * 2 - 1)
+        y = self.net(x * 2 - 1).answer
         return y[:, :1], y[:, 1:]
+
+
+class Held(nn.Module):
+    """From what a U-Net read to how the camera was held, [B, 4]: a `guess` of its elevation and one of its roll.
+
+    Where edges run is seen finely, so it begins with what lies `between`, [B, width, 4 grid, 4 grid] twice; what they are edges of
+    the tokens say, [B, deep, grid, grid].
+    """
+
+    WIDTH = 192
+
+    def __init__(self, width, deep, grid=16):
+        super().__init__()
+        self.a = nn.Conv2d(2 * width, width, 4, stride=2, padding=1)
+        self.r = Res(width, width)
+        self.b = nn.Conv2d(width, self.WIDTH, 4, stride=2, padding=1)
+        self.c = nn.Conv2d(deep, self.WIDTH, 1)
+        self.pos = nn.Parameter(torch.zeros(1, grid * grid, self.WIDTH))
+        self.mid = nn.ModuleList(Block(self.WIDTH, 6) for _ in range(2))
+        self.norm = nn.LayerNorm(self.WIDTH)
+        self.head = head(self.WIDTH, 4)
+
+    def forward(self, read):
+        x = self.r(F.silu(self.a(torch.cat(read.between, 1))))
+        x = F.silu(self.b(x) + self.c(read.tokens))
+        y = self.head(self.norm(attended(x, self.pos, self.mid)).mean(1).float()).float()
+        return torch.cat([guess(y[:, :2]), guess(y[:, 2:])], 1)
 
 
 class ErrorHead(nn.Module):
@@ -237,7 +283,7 @@ class SplatNet(nn.Module):
 
     With n = layers * 128 * 128 the answer holds pos [B, n, 3], scale [B, n, 3] (same unit), quat [B, n, 4] (w first),
     opacity [B, n], rgb [B, n, 3] (0..1), depth [B, 128, 128] (canonical z) of the front layer, camera [B, 4],
-    elevation [B, 2] (`elevation`) and error [B, n]: the colour error to be expected where a view from anywhere shows the
+    elevation [B, 2] (`guess`) and error [B, n]: the colour error to be expected where a view from anywhere shows the
     Gaussian, 0..1 (`losses.error_step`).
     """
 
@@ -271,10 +317,10 @@ class SplatNet(nn.Module):
         hint = torch.cat([hint[:, :1] * said, torch.log(hint[:, 1:2].clamp(min=0.01) * 10) * said, said, spans, known], 1)
         fine = self.fine(x * 2 - 1)
         x = halved(x)
-        y, mean_token, features = self.net(x * 2 - 1, fine, self.hint(hint)[:, None])
-        error = self.er(features, mean_token).float()
-        y = y.float()
-        mean_token = mean_token.float()
+        read = self.net(x * 2 - 1, fine, self.hint(hint)[:, None])
+        error = self.er(read.features, read.token).float()
+        y = read.answer.float()
+        mean_token = read.token.float()
         batch, _, height, width = y.shape
         y = y.reshape(batch, self.layers, self.CHANNELS, height, width)
 
@@ -299,7 +345,7 @@ class SplatNet(nn.Module):
             "rgb": listed(colour),
             "depth": depth[:, 0, 0],
             "camera": camera,
-            "elevation": elevation(self.el(mean_token)),
+            "elevation": guess(self.el(mean_token)),
             "error": error.flatten(1),
         }
 
@@ -355,7 +401,7 @@ def crop_rays(camera, depth, distance):
 
 
 # Parts that older versions lack; in `grown` they start anew.
-LATER = ("hint.", "el.", "camera.", "er.", "fine.")
+LATER = ("hint.", "el.", "camera.", "er.", "fine.", "held.")
 NETS = {"scene": SceneNet, "detail": DetailNet, "splat": SplatNet}
 
 
@@ -372,7 +418,7 @@ def grown(net, state):
         if name.startswith(LATER):
             if name not in state:
                 state[name] = value.clone()
-            elif len(state[name]) < len(value):
+            elif value.dim() and len(state[name]) < len(value):
                 state[name] = torch.cat([state[name], torch.zeros_like(value[len(state[name]) :])])
         if name in ("net.stem.weight", "hint.0.weight") and state[name].shape != value.shape:
             wider = torch.zeros_like(value)

@@ -60,7 +60,7 @@ def state_from_onnx(path, net):
     """
     graph = onnx.load(path).graph
     values = stored_values(graph)
-    state = {name: values["n." + name] for name in ("net.pos", "net.pos_near") if "n." + name in values}
+    state = {name: values["n." + name] for name in ("net.pos", "net.pos_near", "held.pos") if "n." + name in values}
     modules = dict(net.named_modules())
     for name, weights in weights_by_module(graph).items():
         state[name + ".weight"] = weights[0]

@@ -149,6 +149,20 @@ def test_half_of_what_flies_is_photographed_from_below():
     assert mean[told].median() > -0.5
 
 
+def test_plumb_lines_lean_by_the_roll():
+    torch = pytest.importorskip("torch")
+    from synth.batches import photo_cameras
+
+    torch.manual_seed(4)
+    n = 500
+    level = torch.zeros(n)
+    cameras, _, roll = photo_cameras(torch.rand(n) * 6, level + 0.2, level - 0.5, 256, level > 0)
+    # Where the world's down points in the picture, seen along the axis.
+    down = -cameras[:, :9].reshape(n, 3, 3)[:, :, 2]
+    torch.testing.assert_close(torch.atan2(down[:, 0], down[:, 1]), roll, atol=1e-5, rtol=0)
+    assert 0.015 < roll.abs().mean() < 0.05 and roll.abs().median() < 0.03
+
+
 def test_hints_tell_of_elevations_what_their_spread_says():
     torch = pytest.importorskip("torch")
     from synth.batches import hints

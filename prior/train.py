@@ -3,6 +3,7 @@
     torchrun --nproc_per_node=N train.py {scene|splat} --seconds 500 [--total 1000] [--init weights.pt]
     torchrun --nproc_per_node=N train.py detail --rough scene.onnx --init scene.onnx --seconds 500
     python train.py error --init splat.onnx --seconds 200       # what SplatNet expects of its errors, nothing else of it
+    python train.py held --init scene.onnx --seconds 600        # what SceneNet says of how the camera was held, nothing else of it
 
 Writes DIR/<net>.pt (everything needed to go on), DIR/<net>_weights.pt (averaged weights, float16, for export.py) and
 DIR/<net>.png (the last batch); with a critic also DIR/critic.pt, float16, that another training may begin with. A run that
@@ -41,6 +42,9 @@ WARM_UP = 300  # steps
 CRITIC_WARM_UP = 800  # steps until a critic counts whole
 CRITIC_LR = 3e-4  # its own: it begins late, when the network's is falling
 SPIKE = 6  # times the usual gradient: such a step is left out
+# What is trained alone, when all else of its network is settled: the name of the network, and of the module.
+WHOLE = {"error": "splat", "held": "scene"}
+PARTS = {"error": "er", "held": "held"}
 
 
 def arguments():
@@ -216,10 +220,10 @@ def initialised(which, init, hold, levels, pool, masks):
     in it is the same whatever the seed: of trainings that began alike the mean is a network again."""
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(0)
-        net = NETS["splat" if which == "error" else which]()
+        net = NETS[WHOLE.get(which, which)]()
     if init.endswith(".onnx"):
         net.load_state_dict(state_from_onnx(init, net))
-        if which != "error":
+        if which not in PARTS:
             calibrate(net.cuda(), generated_inputs(which, pool, batches=16, masks=masks))
     elif init:
         load_weights(net, init)
@@ -228,12 +232,17 @@ def initialised(which, init, hold, levels, pool, masks):
     net = net.cuda().to(memory_format=torch.channels_last).train()
     for name, parameter in net.named_parameters():
         parameter.requires_grad_(learns(name, which, hold))
-    return net.eval() if which == "error" else net
+    if which in PARTS:
+        net.eval()
+        net.get_submodule(PARTS[which]).train()
+    return net
 
 
 def learns(name, which, hold):
-    """Whether the training of `which` moves the parameter `name`: the expected error learns when all else is settled."""
-    return name.startswith("er.") == (which == "error") and not name.startswith(tuple(hold))
+    """Whether the training of `which` moves the parameter `name`: `PARTS` learn when all else is settled."""
+    part = name.split(".")[0]
+    ours = part == PARTS[which] if which in PARTS else part not in PARTS.values()
+    return ours and not name.startswith(tuple(hold))
 
 
 def masks_of(path):

@@ -279,8 +279,9 @@ pub fn fit(
     };
     let (subject, splat) = rayon::join(|| looked.subject(), next);
     let mut subject = subject?;
-    let held = held::held(settings.pitch, photo, Window::around(&subject).middle());
-    let aim = Some(held::aim(photo, held.as_ref()));
+    let roll = held::roll(photo, &subject);
+    let held = held::held(settings.pitch, photo, Window::around(&subject).middle(), roll);
+    let aim = Some(held::aim(photo, held.as_ref(), roll));
     let taken = splat_prior::Taken { elevation: held.map(|h| h.elevation), lens: photo.pinhole(), aim };
     clock.lap("mask and depth");
     progress.check()?;

@@ -40,6 +40,8 @@ STEEPEST = 1.55
 # The most that they look up, radians, and of how many of SplatNet's subjects: of those that fly, and of the others.
 LOWEST = -1.2
 FROM_BELOW = 0.5, 0.03
+# Deviations of the cameras' roll, radians: of those that are held with care, and of the others.
+ROLLS = 0.017, 0.07
 # From here on down a camera looks from below, radians.
 BELOW = -0.25
 
@@ -145,7 +147,7 @@ def laplace(like):
 class SceneBatch(NamedTuple):
     """photo [n, 3, S, S] sRGB 0..1; point [n, 1, S, S], as `point_map` draws it, or 0 where none is given;
     alpha [n, S, S], coverage by the subject; depth [n, S, S], 0 = sky; shade [n, S, S], how much of each pixel is not the
-    subject and lies in a shadow; elevation [n] of the camera, radians."""
+    subject and lies in a shadow; elevation and roll [n] of the camera, radians (`nets.SceneNet`)."""
 
     photo: torch.Tensor
     point: torch.Tensor
@@ -153,16 +155,18 @@ class SceneBatch(NamedTuple):
     depth: torch.Tensor
     shade: torch.Tensor
     elevation: torch.Tensor
+    roll: torch.Tensor
 
 
 class Stage(NamedTuple):
-    """Scenes before they are photographed: prims [n, P, 36], counts [n], cameras [n, 20] and their elevation [n], surroundings
+    """Scenes before they are photographed: prims [n, P, 36], counts [n], cameras [n, 20], their elevation and roll [n], surroundings
     [n, 40], whether by usual daylight and whether a point says what the subject is, [n] bool each."""
 
     prims: torch.Tensor
     counts: torch.Tensor
     cameras: torch.Tensor
     elevation: torch.Tensor
+    roll: torch.Tensor
     surroundings: torch.Tensor
     daylight: torch.Tensor
     pointed: torch.Tensor
@@ -181,7 +185,7 @@ def scene_batch(pool, n, size=256):
     alpha, shade = above_water(alpha, shade, water)
     photo = taken(dressed, rgb, alpha, depth, stage.daylight)
     photo, alpha, depth, shade = reframed(photo, alpha, depth, shade)
-    return SceneBatch(photo, points(alpha, stage.pointed), alpha, depth, shade, stage.elevation)
+    return SceneBatch(photo, points(alpha, stage.pointed), alpha, depth, shade, stage.elevation, stage.roll)
 
 
 def staged(pool, chosen, size):
@@ -201,11 +205,11 @@ def staged(pool, chosen, size):
         add_distractor(prims, counts, pool, ground, azimuth, overgrown, before=i == 0, behind=through & (i == 1))
     ground = add_perch(prims, counts, ground)
     add_boughs(prims, counts, azimuth)
-    cameras, elevation = photo_cameras(azimuth, elevation, ground, size, pointed)
+    cameras, elevation, roll = photo_cameras(azimuth, elevation, ground, size, pointed)
     daylight = uniform(chosen, 0, 1) < 0.4
     surroundings = environments(n, ground, device, daylight)
     disguise(prims, surroundings, subject, pool.counts[chosen])
-    return Stage(prims, counts.int(), cameras, elevation, surroundings, daylight, pointed)
+    return Stage(prims, counts.int(), cameras, elevation, roll, surroundings, daylight, pointed)
 
 
 def seen_by(stage, cameras, size):
@@ -231,7 +235,7 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     """Hand-held cameras: above the ground, roughly at the subject, slightly rolled; the subject small to overfull.
 
     Where `anywhere` [n] is set they look aside further. Some pictures are squeezed, as non-square photos are before
-    the network sees them. Returns their rows and their elevations above the subject's centre [n].
+    the network sees them. Returns their rows, their elevations above the subject's centre and their roll [n].
     """
     n = len(azimuth)
     device = azimuth.device
@@ -242,11 +246,12 @@ def photo_cameras(azimuth, elevation, ground, size, anywhere):
     eye[:, 2] = torch.maximum(eye[:, 2], ground + 0.08)
     aside = torch.where(anywhere, uniform(azimuth, 0.1, 0.8) / torch.exp(fill).clamp(min=0.6), torch.full_like(fov, 0.15))
     rotation, translation = look_at(eye, target=torch.randn(n, 3, device=device) * aside[:, None])
-    rotation, translation = rolled(rotation, translation, torch.randn(n, device=device) * 0.05)
+    roll = torch.randn(n, device=device) * torch.where(uniform(azimuth, 0, 1) < 0.5, *ROLLS)
+    rotation, translation = rolled(rotation, translation, roll)
     cameras = pack(rotation, translation, fov, size, subject_only=False)
     squeeze = torch.randn(n, device=device) * 0.12
     cameras[:, FOCAL] *= torch.stack([torch.exp(squeeze), torch.exp(-squeeze)], 1)
-    return cameras, torch.asin(eye[:, 2] / eye.norm(dim=1))
+    return cameras, torch.asin(eye[:, 2] / eye.norm(dim=1)), -roll
 
 
 def reframed(photo, alpha, depth, shade):

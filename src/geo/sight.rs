@@ -33,10 +33,9 @@ pub fn stand(view: &View, extents: &Extents, scale: &Scale) -> Stand {
 }
 
 /// The bearing of the subject frame's +Y, degrees: that of the optical axis and the angle by which the camera that the subject was seen
-/// with was turned aside of it, seen from above. `middle`: what of the photo is in the crop's middle, pixels; `right`: of that camera, in
-/// the axes of the photo's (right, down, forward). By its right, since a camera may look straight down.
-pub fn bearing_of_subject(axis: f64, middle: DVec2, right: DVec3, view: &View) -> f64 {
-    let down = down::by_elevation(f64::from(view.elevation), view.pinhole().ray(middle));
+/// with was turned aside of it, seen from above. `right`: of that camera; `down`: where down is; both in the axes of the photo's camera
+/// (right, down, forward). By its right, since a camera may look straight down.
+pub fn bearing_of_subject(axis: f64, right: DVec3, down: DVec3) -> f64 {
     (axis + down::bearing(down, right).to_degrees() - 90.0).rem_euclid(360.0)
 }
 
@@ -125,8 +124,8 @@ mod tests {
         // A camera that looks at it and is level, so that its right is: across the way down and the way there.
         let bears = |axis: f64, middle: DVec2, v: &View| {
             let ray = v.pinhole().ray(middle);
-            let right = down::by_elevation(f64::from(v.elevation), ray).cross(ray).normalize();
-            bearing_of_subject(axis, middle, right, v)
+            let down = down::by_elevation(f64::from(v.elevation), ray);
+            bearing_of_subject(axis, down.cross(ray).normalize(), down)
         };
         assert!((bears(350.0, at(f, 0.0), &v) - 35.0).abs() < 1e-9);
         assert!((bears(10.0, at(-f, 0.0), &v) - 325.0).abs() < 1e-9);
@@ -142,7 +141,8 @@ mod tests {
         // Straight down the picture's top bears where the axis is said to, and what is beside the middle turns nothing that was not turned.
         let v = View { elevation: 89f32.to_radians(), ..v };
         for (across, below) in [(0.0, 0.0), (0.03, 0.05), (-0.05, -0.06), (0.02, -0.08)] {
-            let bearing = bearing_of_subject(90.0, at(across * f, below * f), DVec3::X, &v);
+            let ray = v.pinhole().ray(at(across * f, below * f));
+            let bearing = bearing_of_subject(90.0, DVec3::X, down::by_elevation(f64::from(v.elevation), ray));
             assert!((bearing - 90.0).abs() < 1.0, "{bearing}");
         }
     }

@@ -18,8 +18,8 @@ pub struct Weights {
 /// Photo → subject mask, inverse depth and the camera's elevation.
 pub static SCENE: Weights = Weights {
     id: "orb-scene-net",
-    version: "0.5.1",
-    sha256: "aeddafcc52b4d30f53a5f425ecd4336d1170b68df9e9e8a80f771a8cbd577aa5",
+    version: "0.6",
+    sha256: "fbf24657b6946483f2fb1b358f3dc157547ecc0af258ed4495c61020441cbbb7",
     onnx: include_bytes!("../../prior/scene.onnx"),
 };
 

@@ -54,6 +54,9 @@ pub struct Subject {
     pub expected_iou: Option<f32>,
     /// Of the camera above the subject's centre, as the surroundings tell it or a gimbal measured it.
     pub elevation: Elevation,
+    /// Of the camera about its axis, as the surroundings tell it, radians: by so much the lower ends of plumb lines that the axis meets lean
+    /// to the right. Nearly 0 where they tell nothing.
+    pub roll: f32,
 }
 
 impl Subject {
@@ -140,6 +143,7 @@ pub struct Looked {
     drawn: Option<(Plane, f32)>,
     depth: Plane,
     elevation: Elevation,
+    roll: f32,
 }
 
 /// [`looked`] at, and what [`Looked::subject`] makes of it.
@@ -178,6 +182,7 @@ pub fn looked(
             Port::new("mask", &[1, 1, SIZE, SIZE]),
             Port::new("inverse_depth", &[1, 1, SIZE, SIZE]),
             Port::new("elevation", &[1, 2]),
+            Port::new("roll", &[1, 2]),
         ],
     )?;
     if contrast(photo) < 0.01 {
@@ -200,7 +205,7 @@ pub fn looked(
     let mut mask = first.mask;
     keep_central(&mut mask, 0.35, fringe, focus);
     let mut depth = first.depth;
-    let mut elevation = first.elevation;
+    let (mut elevation, mut roll) = (first.elevation, None);
     if let Some(found) = bounds(&mask, 0.5) {
         let rect = canvas.around(found);
         let inside = deepest(&mask, 0.5).map(|[x, y]| [x * pw as f32 / w as f32, y * ph as f32 / h as f32]);
@@ -212,9 +217,10 @@ pub fn looked(
         elevation = mean(&[elevation, second.elevation]);
         match rect {
             Some(rect) => canvas.refine_depth(&mut depth, &second.depth, rect),
-            None => depth = second.depth,
+            None => (depth, roll) = (second.depth, Some(second.roll)),
         }
     }
+    let roll = roll.map_or_else(|| canvas.roll(point, graph), Ok)?;
     let central = point.is_none();
     let drawn = match cutout {
         Some(alpha) => {
@@ -231,7 +237,7 @@ pub fn looked(
         }
     };
     let scale = (pw as f32 / w as f32, ph as f32 / h as f32);
-    Ok(Looked { working, guide, scale, focus, central, mask, drawn, depth, elevation })
+    Ok(Looked { working, guide, scale, focus, central, mask, drawn, depth, elevation, roll })
 }
 
 impl Looked {
@@ -265,6 +271,7 @@ impl Looked {
             from_cutout,
             expected_iou: expected,
             elevation: self.elevation,
+            roll: self.roll,
         })
     }
 }

@@ -19,6 +19,13 @@ pub fn by_elevation(elevation: f64, ray: DVec3) -> DVec3 {
     by_pitch((y.atan() - sine.clamp(-1.0, 1.0).asin()).max(-FRAC_PI_2))
 }
 
+/// What lies along `v`, or is down, for a camera that is rolled by `roll` radians more: by so much the lower ends of plumb lines that the axis
+/// meets lean further to the right.
+pub fn rolled(v: DVec3, roll: f64) -> DVec3 {
+    let (sin, cos) = roll.sin_cos();
+    DVec3::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x, v.z)
+}
+
 /// How far above what lies on `ray` the camera stands, radians above the horizon there.
 pub fn elevation(down: DVec3, ray: DVec3) -> f64 {
     (down.dot(ray) / ray.length()).clamp(-1.0, 1.0).asin()
@@ -56,9 +63,12 @@ pub(crate) mod tests {
                 let ray = camera * DVec3::new(sin * below.cos(), cos * below.cos(), -below.sin());
                 assert!((elevation(down, ray).to_degrees() - above).abs() < 1e-9);
                 assert!((bearing(down, ray).to_degrees() - bears).abs() < 1e-9, "{pitch} {bears}");
-                if roll == 0.0 && ray.z > 0.0 {
-                    assert!((by_pitch(pitch.to_radians()) - down).length() < 1e-9);
-                    assert!((by_elevation(below, 3.0 * ray) - down).length() < 1e-9, "{pitch} {above}");
+                // Who turns the camera clockwise sees plumb lines turn the other way.
+                let lean = roll.to_radians();
+                assert!((rolled(by_pitch(pitch.to_radians()), lean) - down).length() < 1e-9);
+                if ray.z > 0.0 {
+                    let level = by_elevation(below, 3.0 * rolled(ray, -lean));
+                    assert!((rolled(level, lean) - down).length() < 1e-9, "{pitch} {above}");
                 }
             }
         }

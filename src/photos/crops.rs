@@ -141,6 +141,7 @@ pub mod tests {
             from_cutout: false,
             expected_iou: None,
             elevation,
+            roll: 0.0,
         };
         (posed, pixels, subject)
     }

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geo::scale::{ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA};
 use crate::geo::sight::{GIVEN_PITCH_SIGMA, PHONE_PITCH_SIGMA, PITCH_SIGMA};
-use crate::models::scene::Elevation;
+use crate::models::scene::{Elevation, Subject};
 use crate::models::splat_prior::Aim;
 use crate::photo::{Photo, down};
 
@@ -23,14 +23,15 @@ pub struct Held {
 }
 
 /// By the pitch of the optical axis that is `given`, degrees above the horizon, else the gimbal's, else what the phone felt; over what lies
-/// in the `middle` of what the photo shows of the subject, pixels. `None` where nobody says.
-pub fn held(given: Option<f64>, photo: &Photo, middle: DVec2) -> Option<Held> {
+/// in the `middle` of what the photo shows of the subject, pixels; where who says it says nothing of the camera's `roll`, it is this.
+/// `None` where nobody says.
+pub fn held(given: Option<f64>, photo: &Photo, middle: DVec2, roll: f64) -> Option<Held> {
     let exif = &photo.exif;
     let by_pitch = |degrees: f64| down::by_pitch(degrees.to_radians());
     let (down, sigma) = match (given, exif.gimbal.and_then(|g| g.pitch), exif.down) {
         // A word on the pitch says nothing of how the phone was rolled.
         (Some(pitch), _, Some(felt)) => (rolled_as(felt, pitch), GIVEN_PITCH_SIGMA),
-        (Some(pitch), _, None) => (by_pitch(pitch), GIVEN_PITCH_SIGMA),
+        (Some(pitch), _, None) => (down::rolled(by_pitch(pitch), roll), GIVEN_PITCH_SIGMA),
         (None, Some(pitch), _) => (by_pitch(pitch), PITCH_SIGMA),
         (None, None, felt) => (felt?, PHONE_PITCH_SIGMA),
     };
@@ -50,13 +51,19 @@ fn rolled_as(felt: DVec3, pitch: f64) -> DVec3 {
     }
 }
 
+/// Of the camera, radians, as the subject's surroundings tell it; a gimbal keeps its camera level.
+pub fn roll(photo: &Photo, subject: &Subject) -> f64 {
+    if photo.exif.gimbal.is_some() { 0.0 } else { subject.roll.into() }
+}
+
 /// The photo's camera, to be turned at its subject.
-pub fn aim(photo: &Photo, held: Option<&Held>) -> Aim {
+pub fn aim(photo: &Photo, held: Option<&Held>, roll: f64) -> Aim {
     let lens = photo.pinhole();
     Aim {
         lens: lens.unwrap_or_else(|| photo.pinhole_of(STRAIGHTENED_BY_35MM)),
         lens_assumed: lens.is_none(),
         down: held.map(|h| h.down),
+        roll,
     }
 }
 
@@ -83,7 +90,7 @@ mod tests {
             let gimbal = Some(Gimbal { pitch: Some(-40.0), ..Gimbal::default() });
             photo(Exif { gimbal, focal_35mm, ..Exif::default() })
         };
-        let seen = |given, photo: &Photo, at: f64| held(given, photo, DVec2::new(200.0, at)).map(|h| h.elevation);
+        let seen = |given, photo: &Photo, at: f64| held(given, photo, DVec2::new(200.0, at), 0.0).map(|h| h.elevation);
         let degrees = |e: Option<Elevation>| e.unwrap().mean.to_degrees();
         // As far above the middle as the focal length of a 35 mm lens is long: 45°.
         let above = 150.0 - pitched(None).pinhole_of(35.0).focal.y;
@@ -93,7 +100,7 @@ mod tests {
         // Without a focal length the angle beside the axis is a guess.
         let guessed = seen(None, &pitched(None), above).unwrap();
         assert!(guessed.spread > 0.2, "{guessed:?}");
-        assert_eq!(held(None, &photo(Exif::default()), DVec2::new(200.0, 150.0)), None);
+        assert_eq!(held(None, &photo(Exif::default()), DVec2::new(200.0, 150.0), 0.0), None);
         // Who looks up sees the subject from below; a word counts before a gimbal's.
         let up = seen(Some(25.0), &pitched(Some(35.0)), 150.0).unwrap();
         assert!((up.mean.to_degrees() + 25.0).abs() < 1e-3 && (up.spread.to_degrees() - 3.0).abs() < 1e-4);
@@ -104,13 +111,17 @@ mod tests {
         let felt = DVec3::new(-0.1, 0.9, 0.3).normalize();
         let photo = photo(Exif { down: Some(felt), focal_35mm: Some(26.0), ..Exif::default() });
         let middle = DVec2::new(200.0, 150.0);
-        let seen = held(None, &photo, middle).unwrap();
+        let seen = held(None, &photo, middle, 0.2).unwrap();
         assert_eq!(seen.down, felt);
         assert!((f64::from(seen.elevation.mean) - felt.z.asin()).abs() < 1e-6, "{seen:?}");
-        let told = held(Some(-50.0), &photo, middle).unwrap();
+        let told = held(Some(-50.0), &photo, middle, 0.2).unwrap();
         assert!((told.elevation.mean.to_degrees() - 50.0).abs() < 1e-3, "{told:?}");
         assert!((told.down.x / told.down.y - felt.x / felt.y).abs() < 1e-9 && (told.down.length() - 1.0).abs() < 1e-9);
+        // Where it felt nothing its surroundings say how it was rolled.
+        let unfelt = Photo { exif: Exif { down: None, ..photo.exif.clone() }, ..photo.clone() };
+        let rolled = held(Some(-50.0), &unfelt, middle, 0.2).unwrap().down;
+        assert!((rolled.x.atan2(rolled.y) - 0.2).abs() < 1e-9 && (rolled.z - 50f64.to_radians().sin()).abs() < 1e-9);
         let nadir = Photo { exif: Exif { down: Some(DVec3::Z), ..photo.exif.clone() }, ..photo.clone() };
-        assert_eq!(held(Some(-50.0), &nadir, middle).unwrap().down, down::by_pitch(-50f64.to_radians()));
+        assert_eq!(held(Some(-50.0), &nadir, middle, 0.2).unwrap().down, down::by_pitch(-50f64.to_radians()));
     }
 }

@@ -140,7 +140,8 @@ pub fn fit(
         true => Taken { lens: best.photo.pinhole(), ..Taken::default() },
         false => {
             let down = reference.rotation * (to_unit.rotation.inverse() * -DVec3::Z);
-            Taken { lens: Some(lens), elevation: None, aim: Some(Aim { lens, lens_assumed: false, down: Some(down) }) }
+            let aim = Aim { lens, lens_assumed: false, down: Some(down), roll: 0.0 };
+            Taken { lens: Some(lens), elevation: None, aim: Some(aim) }
         }
     };
     let mut one_view =

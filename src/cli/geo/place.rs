@@ -237,7 +237,8 @@ pub fn place(
         Some(r) => registered_anchor(r, to_metres.base.as_dvec3()),
         None => wanted.anchor(exif)?,
     };
-    let (middle, right) = (done.prior.crop.middle(), done.prior.crop.right(&view.pinhole()));
+    let (crop, lens) = (&done.prior.crop, view.pinhole());
+    let (right, down) = (crop.right(&lens), crop.down(&lens, f64::from(view.elevation)));
     let heading = match registration.as_ref().filter(|_| wanted.heading.is_none()) {
         Some(r) => Heading {
             degrees: r.heading(),
@@ -245,14 +246,9 @@ pub fn place(
             source: HeadingSource::Georegistration,
             words: format!("Heading {}.", registration_words(r)),
         },
-        None => heading(
-            &wanted,
-            exif,
-            &anchor,
-            year,
-            |axis| sight::bearing_of_subject(axis, middle, right, &view),
-            &mut warnings,
-        ),
+        None => {
+            heading(&wanted, exif, &anchor, year, |axis| sight::bearing_of_subject(axis, right, down), &mut warnings)
+        }
     };
     if let Some(r) = &registration {
         warnings.extend(r.contradiction(fixes));

@@ -96,6 +96,8 @@ pub fn params(
         add("texture_mirrored", share(finest.mirrored));
         add("texture_invented", share(1.0 - finest.seen - finest.mirrored));
     }
+    let roll = done.subject.roll.to_degrees();
+    add("camera_roll_by_surroundings_deg", Some(text(format!("{roll:.2}"))));
     if let Some(turned) = done.prior.crop.turned {
         add("camera_turned_deg", Some(text(format!("{:.2}", turned.angle().to_degrees()))));
         add("camera_turned_by_assumed_lens", Some(Param::Bool(turned.lens_assumed)));

@@ -9,6 +9,8 @@
 //! two of the three say is the mask, pixel by pixel: their median. On 18 ray-traced photos and 28 real ones it has a mean
 //! IoU of 0.942 and 0.856; the larger of the first two has 0.930 and 0.847, the mean of it and the third 0.943 and 0.818.
 //! Padding with the edge's colour or grey, and centre squares, lost 5 to 40 points of IoU on some of them.
+//!
+//! The camera's roll is told by the whole photo without a margin: with one, that of photos rolled by 6° is off by 3.2°, without by 1.6°.
 
 use super::{Elevation, SIZE, mean};
 use crate::Result;
@@ -43,6 +45,7 @@ pub(super) struct Look {
     pub mask: Plane,
     pub depth: Plane,
     pub elevation: Elevation,
+    pub roll: f32,
 }
 
 /// What one run of the network answers, [`SIZE`]² pixels.
@@ -50,6 +53,8 @@ struct Answer {
     mask: Plane,
     depth: Plane,
     elevation: Elevation,
+    /// Radians, turned back if mirrored.
+    roll: f32,
 }
 
 /// The photo and the working grid laid over it.
@@ -66,13 +71,19 @@ impl Canvas<'_> {
     /// One fit of the whole photo, with a margin: where the subject is, about.
     pub fn glance(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Look> {
         let wide = scaled(self.whole, MARGIN, MARGIN);
-        let Answer { mut mask, depth, elevation } = self.run(wide, false, point, graph)?;
+        let Answer { mut mask, depth, elevation, roll } = self.run(wide, false, point, graph)?;
         mask.data.iter_mut().for_each(|v| *v = v.clamp(0.0, 1.0));
         Ok(Look {
             mask: self.unfold(&mask, wide, Edge::Zero),
             depth: self.unfold(&depth, wide, Edge::Clamp),
             elevation,
+            roll,
         })
+    }
+
+    /// The camera's roll by the whole photo, radians.
+    pub fn roll(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<f32> {
+        Ok(self.run(self.whole, false, point, graph)?.roll)
     }
 
     /// All fits of a part of the photo, with a point on the subject if one is known; outside it the mask is 0 and the
@@ -89,7 +100,8 @@ impl Canvas<'_> {
             *a = median(*a, *b, *c).clamp(0.0, 1.0);
         }
         let elevation = mean(&[squashed.elevation, mirrored.elevation, margin.elevation]);
-        Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation })
+        let roll = (squashed.roll + mirrored.roll) / 2.0;
+        Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation, roll })
     }
 
     /// `size`² samples of a part of the photo, mirrored beyond its border.
@@ -123,12 +135,13 @@ impl Canvas<'_> {
         let mut outputs = graph.run(&[("image", &image)])?;
         let elevation = take(&mut outputs, "elevation", 2)?;
         let elevation = Elevation { mean: elevation[0], spread: elevation[1] };
+        let roll = take(&mut outputs, "roll", 2)?[0] * if mirror { -1.0 } else { 1.0 };
         let mut plane = |name| -> Result<Plane> {
             let raw = take(&mut outputs, name, SIZE * SIZE)?;
             let data = (0..SIZE * SIZE).map(|i| raw[i / SIZE * SIZE + column(i % SIZE)]).collect();
             Ok(Plane { width: SIZE, height: SIZE, data })
         };
-        Ok(Answer { mask: plane("mask")?, depth: plane("inverse_depth")?, elevation })
+        Ok(Answer { mask: plane("mask")?, depth: plane("inverse_depth")?, elevation, roll })
     }
 
     /// A plane over `rect` of the photo → the working grid.

@@ -24,6 +24,7 @@ impl Graph for Never {
             Port::new("mask", &[1, 1, SIZE, SIZE]),
             Port::new("inverse_depth", &[1, 1, SIZE, SIZE]),
             Port::new("elevation", &[1, 2]),
+            Port::new("roll", &[1, 2]),
         ]
     }
     fn run(&self, _: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
@@ -53,6 +54,7 @@ impl Graph for Disc {
             ("mask".into(), Tensor::new(&[1, 1, SIZE, SIZE], mask)?),
             ("inverse_depth".into(), Tensor::new(&[1, 1, SIZE, SIZE], depth)?),
             ("elevation".into(), Tensor::new(&[1, 2], vec![0.2, 0.05])?),
+            ("roll".into(), Tensor::new(&[1, 2], vec![0.03, 0.02])?),
         ])
     }
 }
@@ -201,6 +203,36 @@ fn an_alpha_channel_replaces_the_networks_mask() {
     let found = subject(&disc.photo(400, 300), Some(&alpha), None, &alone(disc)).unwrap();
     assert!(found.from_cutout && found.expected_iou.is_none());
     assert_eq!(found.bounds, [150, 100, 250, 220]);
+}
+
+#[test]
+fn a_mirrored_look_tells_the_other_roll() {
+    /// Of 0.1 by the picture as it is, of −0.04 by its mirror image: whose left is where the disc is not.
+    struct Leaning(Disc);
+    impl Graph for Leaning {
+        fn inputs(&self) -> Vec<Port> {
+            self.0.inputs()
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.0.outputs()
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            let mut made = self.0.run(inputs)?;
+            let green = &inputs[0].1.data[SIZE * SIZE..2 * SIZE * SIZE];
+            let left = (0..SIZE * SIZE).filter(|i| i % SIZE < SIZE / 2 && green[*i] > 0.6).count();
+            let all = green.iter().filter(|v| **v > 0.6).count();
+            made[3].1 = Tensor::new(&[1, 2], vec![if 2 * left > all { 0.1 } else { -0.04 }, 0.01])?;
+            Ok(made)
+        }
+    }
+    // So large that the second look is at the whole photo.
+    let disc = Disc { centre: (180.0, 150.0), radius: 140.0 };
+    let found = subject(&disc.photo(400, 300), None, None, &alone(Leaning(disc))).unwrap();
+    assert!((found.roll - 0.07).abs() < 1e-6, "{}", found.roll);
+    // Of a small one the whole photo is looked at once more.
+    let disc = Disc { centre: (170.0, 150.0), radius: 40.0 };
+    let found = subject(&disc.photo(400, 300), None, None, &alone(Leaning(disc))).unwrap();
+    assert!((found.roll - 0.1).abs() < 1e-6, "{}", found.roll);
 }
 
 /// A photo, and what the built-in networks find in it.

@@ -11,6 +11,7 @@ fn subject(mask: Plane, bounds: crate::models::region::Bounds, scale: f32, eleva
         from_cutout: false,
         expected_iou: None,
         elevation,
+        roll: 0.0,
     }
 }
 
@@ -302,7 +303,7 @@ fn who_looked_past_its_subject_looks_again() {
     };
     let (as_it_is, once) = made(None);
     assert!(as_it_is.crop == Window::around(&subject) && once.len() == 1);
-    let aim = Aim { lens, lens_assumed: false, down: None };
+    let aim = Aim { lens, lens_assumed: false, down: None, roll: 0.0 };
     let (turned, looks) = made(Some(aim));
     assert!(looks.len() == 2 && looks[0] != once[0] && looks[0] != looks[1]);
     let first = Window::straight(&subject, &aim, 0.4);

@@ -30,8 +30,10 @@ pub struct Aim {
     pub lens: Pinhole,
     /// Nobody said what lens it was.
     pub lens_assumed: bool,
-    /// Where down is, in its axes (right, down, forward), where somebody says it. Else it is taken to be level.
+    /// Where down is, in its axes (right, down, forward), where somebody says it.
     pub down: Option<DVec3>,
+    /// Where nobody does, its roll as the photo's surroundings tell it, radians ([`Subject::roll`]).
+    pub roll: f64,
 }
 
 /// A square of the photo, or of the picture that a camera turned straight at the subject takes.
@@ -54,10 +56,11 @@ pub struct Turned {
 
 impl Turned {
     /// It looks along `ray`, in the axes of the photo's camera, from `elevation` above, radians, and is level.
-    fn towards(ray: DVec3, elevation: f32, &Aim { lens, lens_assumed, down }: &Aim) -> Turned {
+    fn towards(ray: DVec3, elevation: f32, &Aim { lens, lens_assumed, down, roll }: &Aim) -> Turned {
         let down = down.unwrap_or_else(|| {
-            let steepest = (STEEPEST * 1f64.hypot(ray.y / ray.z) * ray.z / ray.length()).asin();
-            down::by_elevation(f64::from(elevation).min(steepest), ray)
+            let level = down::rolled(ray, -roll);
+            let steepest = (STEEPEST * 1f64.hypot(level.y / level.z) * level.z / level.length()).asin();
+            down::rolled(down::by_elevation(f64::from(elevation).min(steepest), level), roll)
         });
         let forward = ray.normalize();
         let across = down.cross(forward);
@@ -127,9 +130,19 @@ impl Window {
 
     /// What of the photo is in its middle, pixels.
     pub fn middle(&self) -> DVec2 {
-        let Rect { x, y, width, height } = self.rect;
-        let middle = DVec2::new(f64::from(x + width / 2.0), f64::from(y + height / 2.0));
+        let middle = self.rect_middle();
         self.turned.as_ref().and_then(|t| t.in_photo(middle)).unwrap_or(middle)
+    }
+
+    fn rect_middle(&self) -> DVec2 {
+        let Rect { x, y, width, height } = self.rect;
+        DVec2::new(f64::from(x + width / 2.0), f64::from(y + height / 2.0))
+    }
+
+    /// Where down is for the photo's camera, in its axes, if it sees the window's middle from `elevation` above, radians.
+    pub fn down(&self, lens: &Pinhole, elevation: f64) -> DVec3 {
+        let lens = self.turned.map_or(*lens, |t| t.lens);
+        self.to_photo() * down::by_elevation(elevation, lens.ray(self.rect_middle()))
     }
 
     /// Right of the camera that it is seen with, in the axes of the photo's, as little turned as it can be where the photo was left as it is.
@@ -145,8 +158,7 @@ impl Window {
     /// Beside the optical axis a pixel spans less: across the way there the cosine, along it the cosine squared of what it does on the
     /// axis; the (geometric) mean of both counts.
     pub fn half_angle(&self, lens: &Pinhole) -> f32 {
-        let Rect { x, y, width, height } = self.rect;
-        let ray = lens.ray(DVec2::new(f64::from(x + width / 2.0), f64::from(y + height / 2.0)));
+        let (width, ray) = (self.rect.width, lens.ray(self.rect_middle()));
         let focal = (lens.focal.x * lens.focal.y).sqrt();
         (f64::from(width) / 2.0 / focal * ray.length().powf(-1.5)) as f32
     }
@@ -291,6 +303,7 @@ mod tests {
             from_cutout: false,
             expected_iou: None,
             elevation: Elevation { mean: 0.0, spread: 0.1 },
+            roll: 0.0,
         }
     }
 
@@ -303,7 +316,7 @@ mod tests {
         ] {
             let (from, subject) = (camera(heading, pitch, roll), subject(at, 60.0));
             let below = from * -DVec3::Z;
-            let window = Window::straight(&subject, &Aim { lens: LENS, lens_assumed: false, down: Some(below) }, 0.0);
+            let window = Window::straight(&subject, &Aim { down: Some(below), ..level(LENS) }, 0.0);
             let at = DVec2::new(at.0.into(), at.1.into());
             assert!((window.middle() - at).length() < 6.0, "{:?}", window.middle());
             // A camera that is turned so in the world.
@@ -332,7 +345,7 @@ mod tests {
 
     /// A camera of which nobody says how it was held.
     fn level(lens: Pinhole) -> Aim {
-        Aim { lens, lens_assumed: true, down: None }
+        Aim { lens, lens_assumed: true, down: None, roll: 0.0 }
     }
 
     #[test]
@@ -346,6 +359,21 @@ mod tests {
         assert_eq!(window.corrected(&subject, &level(LENS), 0.5, seen(0.5)), None);
         let turned = window.corrected(&subject, &level(LENS), 0.5, seen(0.1)).and_then(|w| w.turned).unwrap();
         assert!((turned.angle() - 0.1).abs() < 0.03, "{}", turned.angle());
+    }
+
+    #[test]
+    fn a_rolled_photo_is_drawn_upright() {
+        let subject = subject((500.0, 300.0), 60.0);
+        for roll in [0.08, -0.05] {
+            let aim = Aim { roll, ..level(LENS) };
+            let window = Window::straight(&subject, &aim, 0.4);
+            let down = window.down(&LENS, 0.4);
+            assert!((down.x.atan2(down.y) - roll).abs() < 0.01, "{roll}: {down}");
+            assert!((down::elevation(down, LENS.ray(window.middle())) - 0.4).abs() < 1e-6);
+            // The same as by a word on where down is.
+            let told = Window::straight(&subject, &Aim { down: Some(down), ..level(LENS) }, 0.0).turned.unwrap();
+            assert!(turn(told.to_photo.transpose() * window.turned.unwrap().to_photo) < 0.01);
+        }
     }
 
     #[test]
