@@ -162,7 +162,7 @@ pub fn subject(
 /// Tells the subject from the rest and how far things are, as the networks see it.
 ///
 /// `cutout`, of the photo's size, replaces the network's mask. `point`, in pixels of the photo, lies on the subject;
-/// without one the subject is what stands in the middle.
+/// without either the subject is what stands in the middle.
 ///
 /// # Errors
 /// A usage error when nothing stands out at the centre, or when the subject leaves no background at all.
@@ -198,6 +198,13 @@ pub fn looked(
         line.iter_mut().zip(colours.as_flattened()).for_each(|(byte, v)| *byte = (v * 255.0).round() as u8);
     });
     let canvas = Canvas { photo, working: &working, whole, width: w, height: h };
+    let on_photo = |[x, y]: [f32; 2]| [x * pw as f32 / w as f32, y * ph as f32 / h as f32];
+    let cut = cutout.map(|alpha| {
+        let data = alpha.as_raw().iter().map(|&v| f32::from(v) / 255.0).collect();
+        sample_plane(&Plane { width: pw as usize, height: ph as usize, data }, whole, w, h, Edge::Clamp)
+    });
+    // A cut-out says what the subject is, wherever that stands.
+    let point = point.or_else(|| deepest(cut.as_ref()?, 0.5).map(on_photo));
     let focus = point.map_or([0.5; 2], |[x, y]| [x / pw as f32, y / ph as f32]);
     let fringe = w.max(h) / 170 + 1;
 
@@ -206,9 +213,9 @@ pub fn looked(
     keep_central(&mut mask, 0.35, fringe, focus);
     let mut depth = first.depth;
     let (mut elevation, mut roll) = (first.elevation, None);
-    if let Some(found) = bounds(&mask, 0.5) {
+    if let Some(found) = bounds(cut.as_ref().unwrap_or(&mask), 0.5) {
         let rect = canvas.around(found);
-        let inside = deepest(&mask, 0.5).map(|[x, y]| [x * pw as f32 / w as f32, y * ph as f32 / h as f32]);
+        let inside = deepest(&mask, 0.5).map(on_photo);
         let second = canvas.look(rect.unwrap_or(whole), point.or(inside), graph)?;
         for (a, b) in mask.data.iter_mut().zip(&second.mask.data) {
             *a = 0.4 * *a + 0.6 * b;
@@ -222,11 +229,9 @@ pub fn looked(
     }
     let roll = roll.map_or_else(|| canvas.roll(point, graph), Ok)?;
     let central = point.is_none();
-    let drawn = match cutout {
+    let drawn = match cut {
         Some(alpha) => {
-            let data = alpha.as_raw().iter().map(|&v| f32::from(v) / 255.0).collect();
-            let full = Plane { width: pw as usize, height: ph as usize, data };
-            mask = sample_plane(&full, whole, w, h, Edge::Clamp);
+            mask = alpha;
             None
         }
         None => {

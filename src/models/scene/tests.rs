@@ -206,6 +206,35 @@ fn an_alpha_channel_replaces_the_networks_mask() {
 }
 
 #[test]
+fn a_cut_out_is_the_subject_wherever_it_stands_and_the_network_is_told() {
+    /// Fails where it is told no place on the cut-out.
+    struct Told(Disc);
+    impl Graph for Told {
+        fn inputs(&self) -> Vec<Port> {
+            self.0.inputs()
+        }
+        fn outputs(&self) -> Vec<Port> {
+            self.0.outputs()
+        }
+        fn run(&self, inputs: &[(&str, &Tensor)]) -> Result<Vec<(String, Tensor)>> {
+            let pixels = &inputs[0].1.data;
+            let (at, nearness) = (3 * SIZE * SIZE..4 * SIZE * SIZE)
+                .map(|i| (i - 3 * SIZE * SIZE, pixels[i]))
+                .fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
+            assert!(nearness > 0.9 && pixels[SIZE * SIZE + at] > 0.6, "{nearness} at {at}");
+            self.0.run(inputs)
+        }
+    }
+    let corner = Disc { centre: (50.0, 40.0), radius: 38.0 };
+    let alpha = GrayImage::from_fn(600, 400, |x, y| image::Luma([255 * u8::from((x < 80) && (10..70).contains(&y))]));
+    let found = subject(&corner.photo(600, 400), Some(&alpha), None, &alone(Told(corner))).unwrap();
+    assert_eq!(found.bounds, [0, 10, 80, 70]);
+    assert!((found.roll - 0.03).abs() < 1e-6);
+    let nothing = GrayImage::new(600, 400);
+    assert!(subject(&corner.photo(600, 400), Some(&nothing), None, &alone(corner)).is_err());
+}
+
+#[test]
 fn a_mirrored_look_tells_the_other_roll() {
     /// Of 0.1 by the picture as it is, of −0.04 by its mirror image: whose left is where the disc is not.
     struct Leaning(Disc);
