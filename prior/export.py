@@ -1,9 +1,9 @@
 """Export trained weights to ONNX, stored as `packing` does.
 
-python export.py {scene|detail|splat} WEIGHTS OUT.onnx [--error ERROR_WEIGHTS.pt]
+python export.py {scene|detail|splat} WEIGHTS OUT.onnx [--part PART_WEIGHTS.pt]
 
-WEIGHTS: .pt of a training, or .onnx of this or an older version. --error: SplatNet's expected error from another training
-(`train.py error`) than all else of it.
+WEIGHTS: .pt of a training, or .onnx of this or an older version. --part: what learned alone (`train.py error`, `train.py held`), from
+that training; all else stays as it is.
 """
 
 import argparse
@@ -11,7 +11,7 @@ import os
 
 import torch
 
-from nets import NETS, load_weights
+from nets import NETS, PARTS, load_weights
 from packing import FOUR_BITS, pack
 
 OPSET = 17
@@ -88,12 +88,13 @@ def main():
     parser.add_argument("net", choices=sorted(GRAPHS))
     parser.add_argument("weights")
     parser.add_argument("out")
-    parser.add_argument("--error", default="")
+    parser.add_argument("--part", default="")
     args = parser.parse_args()
     net = load_weights(NETS[args.net](), args.weights)
-    if args.error:
-        learned = torch.load(args.error, map_location="cpu", weights_only=True)
-        net.load_state_dict({k: v.float() for k, v in learned.items() if k.startswith("er.")}, strict=False)
+    if args.part:
+        learned = torch.load(args.part, map_location="cpu", weights_only=True)
+        part = {k: v.float() if v.is_floating_point() else v for k, v in learned.items() if k.split(".")[0] in PARTS.values()}
+        net.load_state_dict(net.state_dict() | part)
     wrapper, sources, outputs = GRAPHS[args.net]
     examples = (torch.rand(1, 4, net.SIZE, net.SIZE), torch.full((1, 3), 0.2))[: len(sources)]
     export(wrapper(net), examples, args.out, sources, outputs, FOUR_BITS.get(args.net, ()))

@@ -402,6 +402,8 @@ def crop_rays(camera, depth, distance):
 
 # Parts that older versions lack; in `grown` they start anew.
 LATER = ("hint.", "el.", "camera.", "er.", "fine.", "held.")
+# What may be trained when all else of its network is settled: names of modules, by those of their trainings.
+PARTS = {"error": "er", "held": "held"}
 NETS = {"scene": SceneNet, "detail": DetailNet, "splat": SplatNet}
 
 

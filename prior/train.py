@@ -28,7 +28,7 @@ from critic import Adversary
 from levels import hold_levels, settled
 from losses import STEPS
 from muon import Muon
-from nets import NETS, Block, Res, load_weights
+from nets import NETS, PARTS, Block, Res, load_weights
 from packing import FOUR_BITS
 from perception import Perception
 from pictures import save_sheet
@@ -42,9 +42,7 @@ WARM_UP = 300  # steps
 CRITIC_WARM_UP = 800  # steps until a critic counts whole
 CRITIC_LR = 3e-4  # its own: it begins late, when the network's is falling
 SPIKE = 6  # times the usual gradient: such a step is left out
-# What is trained alone, when all else of its network is settled: the name of the network, and of the module.
-WHOLE = {"error": "splat", "held": "scene"}
-PARTS = {"error": "er", "held": "held"}
+WHOLE = {"error": "splat", "held": "scene"}  # which network `PARTS` are of
 
 
 def arguments():
@@ -218,13 +216,14 @@ def initialised(which, init, hold, levels, pool, masks):
     """The network that `which` trains on the GPU, with the weights of the file `init` if one is given; parameters whose names
     begin as one of `hold` stay as they are, with `levels` so does what is stored in four bits but for the scales. What is new
     in it is the same whatever the seed: of trainings that began alike the mean is a network again."""
+    whole = WHOLE.get(which, which)
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(0)
-        net = NETS[WHOLE.get(which, which)]()
+        net = NETS[whole]()
     if init.endswith(".onnx"):
         net.load_state_dict(state_from_onnx(init, net))
-        if which not in PARTS:
-            calibrate(net.cuda(), generated_inputs(which, pool, batches=16, masks=masks))
+        if which != "error":
+            calibrate(net.cuda(), generated_inputs(whole, pool, batches=16, masks=masks))
     elif init:
         load_weights(net, init)
     if levels:
