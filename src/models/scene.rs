@@ -55,7 +55,7 @@ pub struct Subject {
     /// Of the camera above the subject's centre, as the surroundings tell it or a gimbal measured it.
     pub elevation: Elevation,
     /// Of the camera about its axis, as the surroundings tell it, radians: by so much the lower ends of plumb lines that the axis meets lean
-    /// to the right. Nearly 0 where they tell nothing.
+    /// to the right. 0 where they tell nothing.
     pub roll: f32,
 }
 
@@ -227,7 +227,7 @@ pub fn looked(
             None => (depth, roll) = (second.depth, Some(second.roll)),
         }
     }
-    let roll = roll.map_or_else(|| canvas.roll(point, graph), Ok)?;
+    let roll = roll.map_or_else(|| canvas.roll(point, graph), Ok)?.evident();
     let central = point.is_none();
     let drawn = match cut {
         Some(alpha) => {

@@ -21,6 +21,9 @@ use image::RgbImage;
 
 /// The side of the widened look, in sides of what is looked at.
 const MARGIN: f32 = 1.35;
+/// A roll that is no more than so many times its expected error counts as none. By 1.5 none of 36 level photos is turned, by 1 three are; of
+/// 18 outdoors that are rolled by 3° and by 6° the mean error is 1.3° and 2.0°, by 1 1.2° and 1.6°, and if all count 1.0° and 1.6°.
+const EVIDENT: f32 = 1.5;
 /// The side of the second look, in longest sides of the subject's box.
 const ROOM: f32 = 2.2;
 
@@ -45,7 +48,22 @@ pub(super) struct Look {
     pub mask: Plane,
     pub depth: Plane,
     pub elevation: Elevation,
-    pub roll: f32,
+    pub roll: Roll,
+}
+
+/// The camera's roll as the network guesses it, radians, and the error's expected magnitude.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Roll {
+    pub mean: f32,
+    pub spread: f32,
+}
+
+impl Roll {
+    /// 0 where it may as well be none: of level photos of objects that nothing surrounds a guess of 1° is not rare, and costs as much
+    /// as a roll of 1° that nobody sees.
+    pub fn evident(self) -> f32 {
+        if self.mean.abs() > EVIDENT * self.spread { self.mean } else { 0.0 }
+    }
 }
 
 /// What one run of the network answers, [`SIZE`]² pixels.
@@ -53,8 +71,8 @@ struct Answer {
     mask: Plane,
     depth: Plane,
     elevation: Elevation,
-    /// Radians, turned back if mirrored.
-    roll: f32,
+    /// Turned back if mirrored.
+    roll: Roll,
 }
 
 /// The photo and the working grid laid over it.
@@ -81,8 +99,8 @@ impl Canvas<'_> {
         })
     }
 
-    /// The camera's roll by the whole photo, radians.
-    pub fn roll(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<f32> {
+    /// The camera's roll by the whole photo.
+    pub fn roll(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Roll> {
         Ok(self.run(self.whole, false, point, graph)?.roll)
     }
 
@@ -100,7 +118,8 @@ impl Canvas<'_> {
             *a = median(*a, *b, *c).clamp(0.0, 1.0);
         }
         let elevation = mean(&[squashed.elevation, mirrored.elevation, margin.elevation]);
-        let roll = (squashed.roll + mirrored.roll) / 2.0;
+        let (a, b) = (squashed.roll, mirrored.roll);
+        let roll = Roll { mean: (a.mean + b.mean) / 2.0, spread: (a.spread + b.spread) / 2.0 };
         Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation, roll })
     }
 
@@ -135,7 +154,8 @@ impl Canvas<'_> {
         let mut outputs = graph.run(&[("image", &image)])?;
         let elevation = take(&mut outputs, "elevation", 2)?;
         let elevation = Elevation { mean: elevation[0], spread: elevation[1] };
-        let roll = take(&mut outputs, "roll", 2)?[0] * if mirror { -1.0 } else { 1.0 };
+        let roll = take(&mut outputs, "roll", 2)?;
+        let roll = Roll { mean: if mirror { -roll[0] } else { roll[0] }, spread: roll[1] };
         let mut plane = |name| -> Result<Plane> {
             let raw = take(&mut outputs, name, SIZE * SIZE)?;
             let data = (0..SIZE * SIZE).map(|i| raw[i / SIZE * SIZE + column(i % SIZE)]).collect();
