@@ -56,6 +56,8 @@ def main():
     parser.add_argument("--roll", type=float, default=0.0, help="degrees, clockwise")
     parser.add_argument("--inside", action="store_true", help="no more of it than SET's photo shows: of a camera that is rolled alone")
     args = parser.parse_args()
+    if args.inside and (args.aside or args.below):
+        parser.error("--inside: with --aside 0 --below 0 only, what lies aside is not all inside")
     for folder in sorted(p.parent for p in args.set.glob("*/cameras.json")):
         about = json.loads((folder / "cameras.json").read_text())
         view = next(v for v in about["views"] if v["name"] == "plain")

@@ -53,7 +53,7 @@ pub struct Subject {
     /// Of the mask with the subject, as the network's probabilities let expect: [`expected_iou`]. `None` for a cut-out.
     pub expected_iou: Option<f32>,
     /// Of the camera above the subject's centre, as the surroundings tell it or a gimbal measured it.
-    pub elevation: Elevation,
+    pub elevation: Angle,
     /// Of the camera about its axis, as the surroundings tell it, radians: by so much the lower ends of plumb lines that the axis meets lean
     /// to the right. 0 where they tell nothing.
     pub roll: f32,
@@ -88,16 +88,16 @@ fn reaches_the_last_row(mask: &Plane) -> bool {
     20 * widest > width && 2 * wide(height - 1) >= widest
 }
 
-/// A camera's elevation above the horizon, as a network guesses it.
+/// A camera's elevation above the horizon or its roll, as a network guesses it or somebody measures it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Elevation {
+pub struct Angle {
     /// Radians.
     pub mean: f32,
     /// The error's expected magnitude, radians: the scale of a Laplace distribution.
     pub spread: f32,
 }
 
-impl Elevation {
+impl Angle {
     /// Both guesses as one: the mean weighed by precision, 1 / spread². Errors of guesses on one photo go together, so
     /// the spread stays that of the better one.
     #[must_use]
@@ -142,7 +142,7 @@ pub struct Looked {
     /// The same finely drawn, and the pixels of it that one of the network's covers. `None` for a cut-out.
     drawn: Option<(Plane, f32)>,
     depth: Plane,
-    elevation: Elevation,
+    elevation: Angle,
     roll: f32,
 }
 
@@ -227,7 +227,7 @@ pub fn looked(
             None => (depth, roll) = (second.depth, Some(second.roll)),
         }
     }
-    let roll = roll.map_or_else(|| canvas.roll(point, graph), Ok)?.evident();
+    let roll = looks::evident(roll.map_or_else(|| canvas.roll(point, graph), Ok)?);
     let central = point.is_none();
     let drawn = match cut {
         Some(alpha) => {
@@ -341,9 +341,9 @@ fn whole_of(plane: &Plane) -> Rect {
 }
 
 /// Of guesses by one network.
-fn mean(guesses: &[Elevation]) -> Elevation {
-    let of = |value: fn(&Elevation) -> f32| guesses.iter().map(value).sum::<f32>() / guesses.len() as f32;
-    Elevation { mean: of(|e| e.mean), spread: of(|e| e.spread) }
+fn mean(guesses: &[Angle]) -> Angle {
+    let of = |value: fn(&Angle) -> f32| guesses.iter().map(value).sum::<f32>() / guesses.len() as f32;
+    Angle { mean: of(|e| e.mean), spread: of(|e| e.spread) }
 }
 
 /// Takes the filter's faint halo to 0 and its fill to 1; one half stays.

@@ -5,7 +5,7 @@
 //! handed, Z up, +Y where the camera pointed (horizontally), +X to the photo's right.
 
 use super::align::fit_intrinsics;
-use super::scene::{Elevation, Subject};
+use super::scene::{Angle, Subject};
 use super::{Graph, Port, Tensor, check_contract, take};
 use crate::photo::{Edge, Pinhole, Plane};
 use crate::splat::{Camera, Gaussians, SH_C0};
@@ -56,7 +56,7 @@ pub struct OneView {
     pub elevation: f32,
     /// The same as all that was seen lets expect. Shape and `elevation` go together right or wrong, so only what places the camera
     /// goes by this: outdoors its mean error is 1.1° for 2.8° (18 photos of the development set).
-    pub seen_from: Elevation,
+    pub seen_from: Angle,
     /// The camera that took `colour`: where the network sees it, focal length and principal point fitted to the mask.
     pub camera: Camera,
     /// How well the Gaussians' silhouette meets the mask under `camera`: intersection over union.
@@ -72,7 +72,7 @@ pub struct OneView {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Taken {
     /// Of the camera above the horizon, where it was measured: counts in place of what the subject's surroundings say.
-    pub elevation: Option<Elevation>,
+    pub elevation: Option<Angle>,
     pub lens: Option<Pinhole>,
     /// By which the photo is drawn as a camera sees it that looks straight at the subject. `None`: it is taken as it is.
     pub aim: Option<Aim>,
@@ -111,9 +111,9 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
         let mut outputs = graph.run(&[("rgba", &network_input(photo, subject, crop)?), ("hint", &hint)])?;
         let stands = take(&mut outputs, "camera", 4)?;
         let own = take(&mut outputs, "elevation", 2)?;
-        Ok((outputs, stands, Elevation { mean: own[0], spread: OVERCONFIDENT * own[1] }))
+        Ok((outputs, stands, Angle { mean: own[0], spread: OVERCONFIDENT * own[1] }))
     };
-    let joined = |own: Elevation| match taken.elevation {
+    let joined = |own: Angle| match taken.elevation {
         Some(measured) => confirmed(measured, own),
         // It was taught to trust hints less than they deserve at the height of eyes.
         None => agreed(own, subject.elevation),
@@ -140,7 +140,7 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
     let bound = |e: f32| e.clamp(-1.25, 1.55);
     let elevation = bound(own.mean);
     let seen_from = joined(own);
-    let seen_from = Elevation { mean: bound(seen_from.mean), ..seen_from };
+    let seen_from = Angle { mean: bound(seen_from.mean), ..seen_from };
     let gaussians = canonical.to_subject_frame(elevation);
     if gaussians.is_empty() {
         return Err(Error::usage("photo")
@@ -156,17 +156,17 @@ pub fn one_view(photo: &RgbImage, subject: &Subject, taken: &Taken, graph: &dyn 
 }
 
 /// The elevation by SplatNet's own word and SceneNet's, which counts where it knows such photos.
-fn agreed(own: Elevation, scene: Elevation) -> Elevation {
+fn agreed(own: Angle, scene: Angle) -> Angle {
     if (FROM_BELOW..FROM_THE_AIR).contains(&own.mean) { own.joined(scene) } else { own }
 }
 
 /// What was measured of the elevation and SplatNet's own word, weighed by precision, but no further from what was measured than twice its
 /// expected error: who measures is seldom wrong by more, and a network that is sure of itself may be.
-fn confirmed(measured: Elevation, own: Elevation) -> Elevation {
+fn confirmed(measured: Angle, own: Angle) -> Angle {
     let joined = own.joined(measured);
     let off = 2.0 * measured.spread;
     let mean = joined.mean.clamp(measured.mean - off, measured.mean + off);
-    Elevation { mean, spread: if mean == joined.mean { joined.spread } else { measured.spread } }
+    Angle { mean, spread: if mean == joined.mean { joined.spread } else { measured.spread } }
 }
 
 /// The camera of the training views in the subject unit frame: `elevation` in radians, looking at the origin.

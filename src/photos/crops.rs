@@ -112,7 +112,7 @@ pub fn camera(inside: [f64; 4], size: (usize, usize), rotation: DQuat, translati
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use crate::models::scene::Elevation;
+    use crate::models::scene::Angle;
     use crate::photos::colmap::{self, Lens};
 
     /// A white disc's photo and mask, posed.
@@ -132,7 +132,7 @@ pub mod tests {
         let rotation = DQuat::from_euler(glam::EulerRot::XYZ, 0.4, -0.2, 0.1);
         let posed =
             Posed { name: "a".into(), file: "a".into(), camera, rotation, translation: DVec3::new(0.1, -0.2, 5.0) };
-        let elevation = Elevation { mean: 0.0, spread: 0.1 };
+        let elevation = Angle { mean: 0.0, spread: 0.1 };
         let subject = Subject {
             depth: mask.clone(),
             mask,

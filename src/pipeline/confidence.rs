@@ -174,7 +174,7 @@ mod tests {
             expected_errors: errors,
             elevation: 0.26,
             camera,
-            seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
+            seen_from: crate::models::scene::Angle { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
             crop: Window { rect: Rect { x: 0.0, y: 0.0, width: 64.0, height: 64.0 }, turned: None },
             colour: seen.color,

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geo::scale::{ASSUMED_FOCAL_35MM, ASSUMED_FOCAL_SIGMA};
 use crate::geo::sight::{GIVEN_PITCH_SIGMA, PHONE_PITCH_SIGMA, PITCH_SIGMA};
-use crate::models::scene::{Elevation, Subject};
+use crate::models::scene::{Angle, Subject};
 use crate::models::splat_prior::Aim;
 use crate::photo::{Photo, down};
 
@@ -17,7 +17,7 @@ pub const STRAIGHTENED_BY_35MM: f64 = 50.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held {
     /// Over what is in the photo's `middle` of the subject.
-    pub elevation: Elevation,
+    pub elevation: Angle,
     /// Where down is, in its axes: right, down, forward.
     pub down: DVec3,
 }
@@ -39,7 +39,7 @@ pub fn held(given: Option<f64>, photo: &Photo, middle: DVec2, roll: f64) -> Opti
     let elevation = down::elevation(down, ray);
     let beside = elevation - down::elevation(down, DVec3::Z);
     let unsure = if exif.focal_35mm.is_some() { 0.0 } else { ASSUMED_FOCAL_SIGMA * beside.abs() };
-    Some(Held { elevation: Elevation { mean: elevation as f32, spread: (sigma.to_radians() + unsure) as f32 }, down })
+    Some(Held { elevation: Angle { mean: elevation as f32, spread: (sigma.to_radians() + unsure) as f32 }, down })
 }
 
 /// As far from the picture's own down as `felt`, but with another pitch, degrees.
@@ -91,7 +91,7 @@ mod tests {
             photo(Exif { gimbal, focal_35mm, ..Exif::default() })
         };
         let seen = |given, photo: &Photo, at: f64| held(given, photo, DVec2::new(200.0, at), 0.0).map(|h| h.elevation);
-        let degrees = |e: Option<Elevation>| e.unwrap().mean.to_degrees();
+        let degrees = |e: Option<Angle>| e.unwrap().mean.to_degrees();
         // As far above the middle as the focal length of a 35 mm lens is long: 45°.
         let above = 150.0 - pitched(None).pinhole_of(35.0).focal.y;
         assert!((degrees(seen(None, &pitched(Some(35.0)), 150.0)) - 40.0).abs() < 1e-3);

@@ -264,7 +264,7 @@ mod tests {
                 gaussians: Gaussians::default(),
                 elevation: (elevation + 6.0f32).to_radians(),
                 camera: canonical_camera(0.3, 128),
-                seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
+                seen_from: crate::models::scene::Angle { mean: 0.0, spread: 0.05 },
                 silhouette_iou: 1.0,
                 crop: Window { rect: Rect { x: 10.0, y: 20.0, width: 256.0, height: 256.0 }, turned: None },
                 colour: seen.color.iter().zip(&seen.alpha).map(straight).collect(),

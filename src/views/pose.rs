@@ -4,7 +4,7 @@ use super::consistency;
 use super::hull::{Hull, pixel};
 use super::six_views;
 use super::tile::View;
-use crate::models::scene::Elevation;
+use crate::models::scene::Angle;
 use crate::models::splat_prior::OneView;
 use crate::progress::Progress;
 use crate::splat::render::Shown;
@@ -47,7 +47,7 @@ pub fn settle(view: &mut OneView, views: &[View], seed: u64, progress: &dyn Prog
     let carved = hull.carved(|p| pixel(&c.camera, p).is_none_or(|(x, y)| seen[y * view.mask.width + x]));
     view.camera = c.camera;
     view.elevation = c.elevation;
-    view.seen_from = Elevation { mean: c.elevation, spread: ELEVATION_ERROR };
+    view.seen_from = Angle { mean: c.elevation, spread: ELEVATION_ERROR };
     view.silhouette_iou = c.filled;
     // What the network expected of its own Gaussians says nothing of these.
     view.expected_errors = None;
@@ -140,7 +140,7 @@ mod tests {
             gaussians: g.transformed(Mat3::from_rotation_x((degrees - guess).to_radians()), 0.9, Vec3::ZERO),
             elevation: guess.to_radians(),
             camera: canonical_camera(guess.to_radians(), 160),
-            seen_from: Elevation { mean: 0.0, spread: 0.05 },
+            seen_from: Angle { mean: 0.0, spread: 0.05 },
             silhouette_iou: 0.0,
             crop: crate::models::splat_prior::Window {
                 rect: Rect { x: 0.0, y: 0.0, width: 160.0, height: 160.0 },

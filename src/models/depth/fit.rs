@@ -211,7 +211,7 @@ mod tests {
             gaussians,
             elevation: 0.0,
             camera,
-            seen_from: crate::models::scene::Elevation { mean: 0.0, spread: 0.05 },
+            seen_from: crate::models::scene::Angle { mean: 0.0, spread: 0.05 },
             silhouette_iou: 1.0,
             crop: crate::models::splat_prior::Window {
                 rect: Rect { x: 10.0, y: 20.0, width: 128.0, height: 128.0 },

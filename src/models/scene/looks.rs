@@ -12,7 +12,7 @@
 //!
 //! The camera's roll is told by the whole photo without a margin: with one, that of photos rolled by 6° is off by 3.2°, without by 1.6°.
 
-use super::{Elevation, SIZE, mean};
+use super::{Angle, SIZE, mean};
 use crate::Result;
 use crate::models::region::Bounds;
 use crate::models::{Graph, Tensor, take};
@@ -47,32 +47,24 @@ fn scaled(r: Rect, across: f32, down: f32) -> Rect {
 pub(super) struct Look {
     pub mask: Plane,
     pub depth: Plane,
-    pub elevation: Elevation,
-    pub roll: Roll,
+    pub elevation: Angle,
+    /// The camera's where the look is at the whole photo without a margin.
+    pub roll: Angle,
 }
 
-/// The camera's roll as the network guesses it, radians, and the error's expected magnitude.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Roll {
-    pub mean: f32,
-    pub spread: f32,
-}
-
-impl Roll {
-    /// 0 where it may as well be none: of level photos of objects that nothing surrounds a guess of 1° is not rare, and costs as much
-    /// as a roll of 1° that nobody sees.
-    pub fn evident(self) -> f32 {
-        if self.mean.abs() > EVIDENT * self.spread { self.mean } else { 0.0 }
-    }
+/// A roll, radians; 0 where it may as well be none: of level photos of objects that nothing surrounds a guess of 1° is not rare, and costs as
+/// much as a roll of 1° that nobody sees.
+pub(super) fn evident(roll: Angle) -> f32 {
+    if roll.mean.abs() > EVIDENT * roll.spread { roll.mean } else { 0.0 }
 }
 
 /// What one run of the network answers, [`SIZE`]² pixels.
 struct Answer {
     mask: Plane,
     depth: Plane,
-    elevation: Elevation,
+    elevation: Angle,
     /// Turned back if mirrored.
-    roll: Roll,
+    roll: Angle,
 }
 
 /// The photo and the working grid laid over it.
@@ -100,7 +92,7 @@ impl Canvas<'_> {
     }
 
     /// The camera's roll by the whole photo.
-    pub fn roll(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Roll> {
+    pub fn roll(&self, point: Option<[f32; 2]>, graph: &dyn Graph) -> Result<Angle> {
         Ok(self.run(self.whole, false, point, graph)?.roll)
     }
 
@@ -118,8 +110,7 @@ impl Canvas<'_> {
             *a = median(*a, *b, *c).clamp(0.0, 1.0);
         }
         let elevation = mean(&[squashed.elevation, mirrored.elevation, margin.elevation]);
-        let (a, b) = (squashed.roll, mirrored.roll);
-        let roll = Roll { mean: (a.mean + b.mean) / 2.0, spread: (a.spread + b.spread) / 2.0 };
+        let roll = mean(&[squashed.roll, mirrored.roll]);
         Ok(Look { mask, depth: self.unfold(&squashed.depth, part, Edge::Clamp), elevation, roll })
     }
 
@@ -153,9 +144,9 @@ impl Canvas<'_> {
         let image = Tensor::new(&[1, 4, SIZE, SIZE], data)?;
         let mut outputs = graph.run(&[("image", &image)])?;
         let elevation = take(&mut outputs, "elevation", 2)?;
-        let elevation = Elevation { mean: elevation[0], spread: elevation[1] };
+        let elevation = Angle { mean: elevation[0], spread: elevation[1] };
         let roll = take(&mut outputs, "roll", 2)?;
-        let roll = Roll { mean: if mirror { -roll[0] } else { roll[0] }, spread: roll[1] };
+        let roll = Angle { mean: if mirror { -roll[0] } else { roll[0] }, spread: roll[1] };
         let mut plane = |name| -> Result<Plane> {
             let raw = take(&mut outputs, name, SIZE * SIZE)?;
             let data = (0..SIZE * SIZE).map(|i| raw[i / SIZE * SIZE + column(i % SIZE)]).collect();

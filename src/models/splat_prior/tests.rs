@@ -2,7 +2,7 @@ use super::*;
 use crate::photo::Rect;
 
 /// Of a photo whose pixels are `scale` times as fine as the mask's.
-fn subject(mask: Plane, bounds: crate::models::region::Bounds, scale: f32, elevation: Elevation) -> Subject {
+fn subject(mask: Plane, bounds: crate::models::region::Bounds, scale: f32, elevation: Angle) -> Subject {
     Subject {
         depth: Plane::new(mask.width, mask.height, 0.0),
         mask,
@@ -47,8 +47,8 @@ fn the_canonical_centre_is_the_origin() {
 
 #[test]
 fn who_never_saw_such_a_photo_is_not_asked_for_its_elevation() {
-    let level = Elevation { mean: 0.1, spread: 0.05 };
-    let own = |degrees: f32| Elevation { mean: degrees.to_radians(), spread: 0.1 };
+    let level = Angle { mean: 0.1, spread: 0.05 };
+    let own = |degrees: f32| Angle { mean: degrees.to_radians(), spread: 0.1 };
     for degrees in [-60.0, -20.0, 45.0, 80.0] {
         assert_eq!(agreed(own(degrees), level), own(degrees), "{degrees}");
     }
@@ -59,7 +59,7 @@ fn who_never_saw_such_a_photo_is_not_asked_for_its_elevation() {
 
 #[test]
 fn what_was_measured_counts_by_how_well_it_is_known() {
-    let said = |mean: f32, spread: f32| Elevation { mean, spread };
+    let said = |mean: f32, spread: f32| Angle { mean, spread };
     let (gimbal, guessed, sure) = (said(0.5, 0.03), said(0.5, 0.2), said(0.2, 0.02));
     let both = confirmed(gimbal, said(0.48, 0.03));
     assert!((both.mean - 0.49).abs() < 1e-6 && both.spread == 0.03, "{both:?}");
@@ -137,7 +137,7 @@ fn colour_and_opacity_survive() {
 
 #[test]
 fn the_crop_holds_the_box_at_its_fill() {
-    let subject = subject(Plane::new(100, 50, 0.0), [20, 10, 60, 30], 4.0, Elevation { mean: 0.2, spread: 0.05 });
+    let subject = subject(Plane::new(100, 50, 0.0), [20, 10, 60, 30], 4.0, Angle { mean: 0.2, spread: 0.05 });
     let crop = Window::around(&subject).rect;
     assert!((crop.width * FILL - 160.0).abs() < 1e-3 && crop.width == crop.height);
     assert!((crop.x + crop.width / 2.0 - 160.0).abs() < 1e-3 && (crop.y + crop.height / 2.0 - 80.0).abs() < 1e-3);
@@ -181,7 +181,7 @@ impl Graph for Flat {
 
 #[test]
 fn expected_errors_are_read_where_the_network_has_them() {
-    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 2.0, Elevation { mean: 0.2, spread: 0.05 });
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 2.0, Angle { mean: 0.2, spread: 0.05 });
     let photo = RgbImage::new(128, 128);
     let without = one_view(&photo, &subject, &Taken::default(), &Flat(ports(), 0.2)).unwrap();
     assert_eq!(without.expected_errors, None);
@@ -199,7 +199,7 @@ fn expected_errors_are_read_where_the_network_has_them() {
 
 #[test]
 fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
-    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Angle { mean: 0.4, spread: 0.1 });
     // `Flat` adds what it was told to what it says: 0.6 ± 0.27, and 0.4 ± 0.1.
     let view = one_view(&RgbImage::new(64, 64), &subject, &Taken::default(), &Flat(ports(), 0.2)).unwrap();
     let weight = (0.1 / 0.27_f32).powi(2);
@@ -207,7 +207,7 @@ fn the_network_is_told_of_the_elevation_and_its_answer_counts() {
     assert!((view.seen_from.mean - (0.4 + 0.6 * weight) / (1.0 + weight)).abs() < 1e-6, "{:?}", view.seen_from);
     assert_eq!(view.seen_from.spread, 0.1);
     // What was measured is told in place of it, and counts by how well it is known: 0.3 ± 0.18 and 0.1 ± 0.05.
-    let measured = Elevation { mean: 0.1, spread: 0.05 };
+    let measured = Angle { mean: 0.1, spread: 0.05 };
     let view = one_view(
         &RgbImage::new(64, 64),
         &subject,
@@ -255,7 +255,7 @@ fn the_network_is_told_what_angle_the_crop_spans() {
             self.1.run(inputs)
         }
     }
-    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Elevation { mean: 0.4, spread: 0.1 });
+    let subject = subject(Plane::new(64, 64, 1.0), [0, 0, 64, 64], 1.0, Angle { mean: 0.4, spread: 0.1 });
     let told = |focal: Option<f64>| {
         let graph = Told(std::sync::Mutex::default(), Flat(ports(), 0.2));
         one_view(
@@ -293,7 +293,7 @@ fn who_looked_past_its_subject_looks_again() {
     }
     let mut mask = Plane::new(64, 64, 0.0);
     (24..40).for_each(|y| (44..60).for_each(|x| mask.data[64 * y + x] = 1.0));
-    let subject = subject(mask, [44, 24, 60, 40], 1.0, Elevation { mean: 0.4, spread: 0.1 });
+    let subject = subject(mask, [44, 24, 60, 40], 1.0, Angle { mean: 0.4, spread: 0.1 });
     let photo = RgbImage::from_fn(64, 64, |x, y| image::Rgb([4 * x as u8, 4 * y as u8, 90]));
     let lens = Pinhole::centred(64.0, (64, 64));
     let made = |aim| {

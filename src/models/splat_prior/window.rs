@@ -267,7 +267,7 @@ fn bounds(subject: &Subject, turned: &Turned) -> Option<[f32; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::scene::Elevation;
+    use crate::models::scene::Angle;
     use crate::photo::down::tests::camera;
 
     const LENS: Pinhole = Pinhole { focal: DVec2::splat(400.0), middle: DVec2::new(320.0, 240.0) };
@@ -302,7 +302,7 @@ mod tests {
             scale: (2.0, 2.0),
             from_cutout: false,
             expected_iou: None,
-            elevation: Elevation { mean: 0.0, spread: 0.1 },
+            elevation: Angle { mean: 0.0, spread: 0.1 },
             roll: 0.0,
         }
     }
